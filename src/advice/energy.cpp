@@ -21,8 +21,8 @@ const char* words(ContactWith with) {
 }
 
 // A step that is certainly short enough: a quarter of the one that was too long.
-std::string remedy(bool fixed, double step) {
-  return fmt::format("give dynamics.{}: {:.2g} s", fixed ? "step" : "max_step", step / 4);
+std::string remedy(StepChoice choice, double step) {
+  return fmt::format("give dynamics.{}: {:.2g} s", step_key(choice), step / 4);
 }
 
 }  // namespace
@@ -38,14 +38,14 @@ std::string energy_created(const EnergyCreated& m, const std::string& where,
                       "{} begins with a non-zero velocity, which is an impact on the lines at rest; add a "
                       "'ramp' to it (a shorter step does not help)",
                       initial_velocity_key);
-  return text + fmt::format("{}; {}", words(m.with), remedy(m.fixed, m.length));
+  return text + fmt::format("{}; {}", words(m.with), remedy(m.step, m.length));
 }
 
-std::string energy_lost(double energy, double until, double work, double step, bool fixed) {
+std::string energy_lost(double energy, double until, double work, double step, StepChoice choice) {
   return fmt::format(
       "the steps lost {:.3g} J by t = {:.6g} s, {:.3g} % of the work done: they are too long for the motion; "
       "{}",
-      energy, until, 100 * energy / work, remedy(fixed, step));
+      energy, until, 100 * energy / work, remedy(choice, step));
 }
 
 std::string energy_is_no_number() { return "the energy is not a finite number" + not_to_be_used(); }

@@ -27,7 +27,7 @@ std::string impact_peak(const std::string& line, const ImpactPeak& at) {
       "the largest tension of line {} ({:.4g} kN at arc length {:.4g} m, t = {:.6g} s) is due to an impact "
       "that is not resolved: {}; the true value may be higher or lower, and the value may differ on another "
       "number of ranks. If it matters, compare with dynamics.{}: {:.2g} s and elements half as long",
-      line, at.tension / 1000, at.arc, at.time, why, at.fixed ? "step" : "max_step", at.shorter);
+      line, at.tension / 1000, at.arc, at.time, why, step_key(at.choice), at.shorter);
 }
 
 std::string other_peak(const std::string& line, const ImpactPeak& at) {
@@ -35,7 +35,7 @@ std::string other_peak(const std::string& line, const ImpactPeak& at) {
       "line {} comes taut within one step of {:.2g} s (t = {:.6g} s, arc length {:.4g} m): the peak between "
       "the steps may be {:.4g} kN, above the largest tension. If it matters, compare with dynamics.{}: "
       "{:.2g} s",
-      line, at.step, at.time, at.arc, at.tension / 1000, at.fixed ? "step" : "max_step", at.shorter);
+      line, at.step, at.time, at.arc, at.tension / 1000, step_key(at.choice), at.shorter);
 }
 
 }  // namespace hawser::advice

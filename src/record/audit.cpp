@@ -87,7 +87,7 @@ bool Audit::wrong() const {
          largest_loss.value > kLostWrong * size();
 }
 
-std::string Audit::warning(bool fixed, const std::string& where,
+std::string Audit::warning(advice::StepChoice step, const std::string& where,
                            const std::string& initial_velocity_key) const {
   if (!std::isfinite(error)) return advice::energy_is_no_number();
   const double relative_gain = largest_gain.value / (kCreatedReported * size());
@@ -97,9 +97,9 @@ std::string Audit::warning(bool fixed, const std::string& where,
   const std::string text =
       relative_gain > relative_loss
           ? advice::energy_created({largest_gain.value, largest_gain.time, size(), worst.value, worst.time,
-                                    worst.length, worst.with, fixed},
+                                    worst.length, worst.with, step},
                                    where, at_start_of_motion ? initial_velocity_key : "")
-          : advice::energy_lost(largest_loss.value, largest_loss.time, size(), largest_loss.step, fixed);
+          : advice::energy_lost(largest_loss.value, largest_loss.time, size(), largest_loss.step, step);
   return wrong() ? text + advice::not_to_be_used() : text;
 }
 

@@ -67,7 +67,7 @@ std::string EnergyAudit::warning() const {
   if (rank_of(subject_.comm()) != 0) return "";
   const int node = audit_.worst.node;
   const model::Case& c = subject_.model;
-  return audit_.warning(c.dynamics.step > 0, node < 0 ? "a body" : subject_.mesh().place(node),
+  return audit_.warning(advice::step_choice(c), node < 0 ? "a body" : subject_.mesh().place(node),
                         advice::initial_velocity_key(c));
 }
 

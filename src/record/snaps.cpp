@@ -102,8 +102,8 @@ void Snaps::gather(MPI_Comm comm) {
 }
 
 std::string Snaps::warning(int line, const std::string& name, double largest_tension, bool damped,
-                           bool fixed) const {
-  const std::string largest = of_largest(line, name, largest_tension, damped, fixed);
+                           advice::StepChoice step) const {
+  const std::string largest = of_largest(line, name, largest_tension, damped, step);
   if (!largest.empty()) return largest;
   const Worst& u = unresolved_[line];
   if (!(u.tension > largest_tension)) return {};
@@ -112,11 +112,11 @@ std::string Snaps::warning(int line, const std::string& name, double largest_ten
                                    .arc = u.arc,
                                    .step = u.step,
                                    .shorter = 0.5 * u.step * kResolvedPhase / u.angle,
-                                   .fixed = fixed});
+                                   .choice = step});
 }
 
 std::string Snaps::of_largest(int line, const std::string& name, double largest_tension, bool damped,
-                              bool fixed) const {
+                              advice::StepChoice step) const {
   const Worst& w = worst_[line];
   if (!(w.tension > kSame * largest_tension)) return {};
   const bool steps = w.angle > kResolvedPhase;
@@ -137,7 +137,7 @@ std::string Snaps::of_largest(int line, const std::string& name, double largest_
                                     .from = w.from,
                                     .within = w.within,
                                     .shorter = steps ? 0.5 * w.step * kResolvedPhase / w.angle : 0.5 * w.step,
-                                    .fixed = fixed});
+                                    .choice = step});
 }
 
 }  // namespace hawser::record

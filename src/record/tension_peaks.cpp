@@ -37,7 +37,7 @@ std::vector<Warning> TensionPeaks::warnings(const std::vector<io::SummaryRow>& s
     const int line = c.line_index(r.line);
     std::string text = folds_.warning(line, r.line, r.value);
     if (text.empty())
-      text = snaps_.warning(line, r.line, r.value, !audit_.note().empty(), c.dynamics.step > 0);
+      text = snaps_.warning(line, r.line, r.value, !audit_.note().empty(), advice::step_choice(c));
     if (!text.empty()) out.push_back({std::move(text), i});
   }
   return out;

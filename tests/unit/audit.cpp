@@ -33,7 +33,7 @@ TEST(Audit, IsRestoredCompletely) {
   EXPECT_EQ(b.absolute_work, a.absolute_work);
   EXPECT_EQ(b.largest_step_gain.value, a.largest_step_gain.value);
   EXPECT_EQ(b.worst.node, a.worst.node);
-  EXPECT_EQ(b.warning(true, "here"), a.warning(true, "here"));
+  EXPECT_EQ(b.warning(advice::StepChoice::given, "here"), a.warning(advice::StepChoice::given, "here"));
   for (const auto& [name, value] : complete.scalars) {
     io::Checkpoint part = complete;
     part.scalars.erase(name);
@@ -53,7 +53,7 @@ TEST(Audit, IsSilentOfWhatIsBroughtIn) {
   EXPECT_EQ(a.brought_in, 0);
   EXPECT_EQ(a.absolute_work, 2000);
   EXPECT_EQ(a.error, 0);
-  EXPECT_EQ(a.warning(true, "here"), "");
+  EXPECT_EQ(a.warning(advice::StepChoice::given, "here"), "");
   EXPECT_FALSE(a.wrong());
 }
 
@@ -65,13 +65,13 @@ TEST(Audit, ReportsWhatAStepMadeWhereAndWhatHelps) {
   EXPECT_FALSE(a.update(moving(100), moving(102), 0.35, 0.05));
   EXPECT_NEAR(a.size(), 100, 1e-5);  // without created energy
   EXPECT_EQ(
-      a.warning(true, "line chain, arc length 3 m"),
+      a.warning(advice::StepChoice::given, "line chain, arc length 3 m"),
       "the steps created 3 J of energy by t = 0.3 s, 3 % of the work done; the one of 0.1 s that ended at "
       "t = 0.3 s created most of it, 3 J, at line chain, arc length 3 m: it touches a volume there; give "
       "dynamics.step: 0.025 s");
   EXPECT_FALSE(a.wrong());
   a.worst.with = record::Audit::Step::ContactWith::nothing;
-  const std::string w = a.warning(false, "here");
+  const std::string w = a.warning(advice::StepChoice::automatic, "here");
   EXPECT_NE(
       w.find("its velocity changes faster than the time steps resolve; give dynamics.max_step: 0.025 s"),
       std::string::npos)
@@ -84,13 +84,14 @@ TEST(Audit, ReportsAnImpactAtTheStart) {
   a.update(moving(100), moving(100), 0, 0);
   a.update(moving(100), moving(103), 0.3, 0.1);
   EXPECT_EQ(
-      a.warning(true, "line chain, arc length 3 m", "bodies.vessel.motion"),
+      a.warning(advice::StepChoice::given, "line chain, arc length 3 m", "bodies.vessel.motion"),
       "the steps created 3 J of energy by t = 0.3 s, 3 % of the work done; the one of 0.1 s that ended at "
       "t = 0.3 s created most of it, 3 J, at line chain, arc length 3 m: bodies.vessel.motion begins with a "
       "non-zero velocity, which is an impact on the lines at rest; add a 'ramp' to it (a shorter step does "
       "not help)");
   a.update(moving(100), moving(110), 0.7, 0.1);  // a larger error later, for another reason
-  EXPECT_NE(a.warning(true, "here", "bodies.vessel.motion").find("give dynamics.step: 0.025 s"),
+  EXPECT_NE(a.warning(advice::StepChoice::given, "here", "bodies.vessel.motion")
+                .find("give dynamics.step: 0.025 s"),
             std::string::npos);
 }
 
@@ -102,7 +103,7 @@ TEST(Audit, KeepsTheLargestErrorOfTheRun) {
   a.update(moving(100), moving(100), 2, 0.1);
   EXPECT_EQ(a.percent(), 0);
   EXPECT_TRUE(a.wrong());
-  const std::string w = a.warning(true, "here");
+  const std::string w = a.warning(advice::StepChoice::given, "here");
   EXPECT_NE(w.find("created 30 J of energy by t = 1 s"), std::string::npos) << w;
   EXPECT_NE(w.find("Do not use the results"), std::string::npos) << w;
 }
@@ -113,7 +114,8 @@ TEST(Audit, AGainAfterALossCounts) {
   a.update(moving(100), moving(100), 0, 0);
   a.update(moving(100), moving(85), 1, 0.1);
   EXPECT_FALSE(a.wrong());
-  EXPECT_NE(a.warning(true, "here").find("the steps lost 15 J by t = 1 s, 15 % of the work done"),
+  EXPECT_NE(a.warning(advice::StepChoice::given, "here")
+                .find("the steps lost 15 J by t = 1 s, 15 % of the work done"),
             std::string::npos);
   a.update(moving(100), moving(100), 2, 0.1);
   EXPECT_TRUE(a.wrong());
@@ -133,7 +135,7 @@ TEST(Audit, ASlowLossInALongRunIsNoAlarm) {
     a.update(start, moving(1000 - 0.1 * wave, in), wave + 0.5, 1);
   }
   EXPECT_NEAR(a.error, -1000, 1);
-  EXPECT_EQ(a.warning(false, "here"), "");
+  EXPECT_EQ(a.warning(advice::StepChoice::automatic, "here"), "");
 }
 
 // Created energy of a fifth of the energy present at a time is an error, for any absolute work in hours of
@@ -152,7 +154,7 @@ TEST(Audit, AFifthOfWhatWasThereIsAnAlarmInALongRun) {
   EXPECT_FALSE(a.wrong());
   a.update(moving(0), moving(30, 0), 10002, 0.1);
   EXPECT_TRUE(a.wrong());
-  EXPECT_NE(a.warning(false, "here").find("created 30 J"), std::string::npos);
+  EXPECT_NE(a.warning(advice::StepChoice::automatic, "here").find("created 30 J"), std::string::npos);
 }
 
 // In each wave an end brings in 50 J more than it takes out, and drag dissipates them. The created energy,
@@ -192,7 +194,7 @@ TEST(Audit, SmallVibrationOfATautLineIsAWarning) {
     a.update(start, e, 1, 0.1);
     e.kinetic = created;
     a.update(start, e, 2, 0.1);
-    EXPECT_NE(a.warning(false, "here"), "");
+    EXPECT_NE(a.warning(advice::StepChoice::automatic, "here"), "");
     EXPECT_EQ(a.wrong(), created > 0.0025 * e.strain) << created;
   }
 }
@@ -209,7 +211,7 @@ TEST(Audit, RestIsNoAlarm) {
   a.update(start, e, 0.1, 0.1);
   e.strain -= 6e-10;
   a.update(start, e, 0.2, 0.1);
-  EXPECT_EQ(a.warning(false, "here"), "");
+  EXPECT_EQ(a.warning(advice::StepChoice::automatic, "here"), "");
   EXPECT_FALSE(a.wrong());
 }
 
@@ -218,7 +220,7 @@ TEST(Audit, NoNumberIsWrong) {
   a.update(moving(0), moving(0), 0, 0);
   a.update(moving(0), moving(NAN), 0.1, 0.1);
   EXPECT_TRUE(a.wrong());
-  EXPECT_NE(a.warning(false, "here"), "");
+  EXPECT_NE(a.warning(advice::StepChoice::automatic, "here"), "");
 }
 
 TEST(Audit, WhatStepsDoNotResolveIsANote) {
@@ -228,7 +230,7 @@ TEST(Audit, WhatStepsDoNotResolveIsANote) {
   a.update(moving(100), moving(100), 0, 0);
   a.update(moving(100), e, 1, 0.1);
   EXPECT_EQ(a.error, 0);
-  EXPECT_EQ(a.warning(false, "here"), "");
+  EXPECT_EQ(a.warning(advice::StepChoice::automatic, "here"), "");
   EXPECT_NE(a.note().find("10 J of axial vibration faster than the time steps resolve were dissipated (10 %"),
             std::string::npos)
       << a.note();

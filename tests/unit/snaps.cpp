@@ -37,7 +37,7 @@ std::string warning(double half, int steps, double rest = 0, bool damped = false
     const PerLine<Snaps::VolumePassage> over(sim.local(), {across, 1 + h * k - 1e-3});
     snaps.update(1 + h * k, k == 0 ? 0 : h, tension, tension, &over);
   }
-  return snaps.warning(0, "sling", 1000, damped, true);
+  return snaps.warning(0, "sling", 1000, damped, advice::StepChoice::given);
 }
 
 // With 4 steps the largest rise in a step is 1 - cos(pi/4) = 29 % of the maximum, with 8 steps it is small.
@@ -65,7 +65,7 @@ std::string later_peak(double later) {
   update(1.25, 0.25, later);
   update(1.5, 0.25, 0);
   update(1.75, 0.25, 0);
-  return snaps.warning(0, "sling", 1000, false, true);
+  return snaps.warning(0, "sling", 1000, false, advice::StepChoice::given);
 }
 
 // From 0 in one step: at least a quarter of the period, so that the peak is up to 800 N/cos(pi/4).
@@ -116,7 +116,7 @@ TEST(Snaps, NotOfWhatFalls) {
   snaps.update(0, 0, held, held);
   snaps.update(0.1, 0.1, held, held);
   snaps.update(0.2, 0.1, loose, loose);
-  EXPECT_EQ(snaps.warning(0, "sling", 1000, true, true), "");
+  EXPECT_EQ(snaps.warning(0, "sling", 1000, true, advice::StepChoice::given), "");
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 
 #include <string>
 
+#include "hawser/advice/step_choice.hpp"
+
 namespace hawser::advice {
 
 // Peak in an element that was folded and snaps taut.
@@ -21,7 +23,7 @@ struct ImpactPeak {
   double fraction = 0;                    // fraction of the tension that built up in this step
   double from = 0, within = 0;            // N, s: tension before the rise, and duration of the rise
   double shorter = 0;                     // s, step recommended for comparison
-  bool fixed = false;                     // the user chose the step
+  StepChoice choice = StepChoice::automatic;
 };
 std::string impact_peak(const std::string& line, const ImpactPeak& at);
 // Another peak than the largest tension, which a step does not resolve. tension: its estimate.

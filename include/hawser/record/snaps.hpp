@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "hawser/advice/step_choice.hpp"
 #include "hawser/mesh/local_mesh.hpp"
 #include "hawser/mesh/per_line.hpp"
 #include "hawser/model/case.hpp"
@@ -35,10 +36,10 @@ class Snaps {
   // Combines the ranks after the last step. Collective.
   void gather(MPI_Comm comm);
   // Sentence if the largest tension [N] of a line is such a peak, or if another peak, which a step does not
-  // resolve, may exceed it; else empty. damped: much axial vibration
-  // was damped; fixed: the user chose the step. After gather(), for a line of this rank.
+  // resolve, may exceed it; else empty. damped: much axial vibration was damped. After gather(), for a line
+  // of this rank.
   std::string warning(int line, const std::string& name, double largest_tension, bool damped,
-                      bool fixed) const;
+                      advice::StepChoice step) const;
 
  private:
   struct Worst {
@@ -58,7 +59,7 @@ class Snaps {
     double low = 0, since = 0;  // N, s: start of the rise
   };
   std::string of_largest(int line, const std::string& name, double largest_tension, bool damped,
-                         bool fixed) const;
+                         advice::StepChoice step) const;
   const LocalMesh& mesh_;
   std::vector<double> element_transit_time_;  // s, of an axial wave through the slower element at each owned
                                               // node; 0: excluded
