@@ -209,56 +209,75 @@ size_t first_oscillating(const std::vector<Eigenpair>& modes) {
   return static_cast<size_t>(std::find_if(modes.begin(), modes.end(), oscillates) - modes.begin());
 }
 
+// Search for the root s [rad²/s²] of mu(s) = s, by secants within a bracket, after some trials by its
+// bisection.
+class FrequencyRoot {
+ public:
+  explicit FrequencyRoot(double first) : s_(first) {}
+  double trial() const { return s_; }
+  // Narrows the bracket by mu at the trial; returns whether the trial is the root.
+  bool found(double mu) {
+    constexpr double kConverged = 1e-9;  // relative
+    change_ = mu - s_;
+    (change_ > 0 ? low_ : high_) = s_;
+    return std::abs(change_) < kConverged * s_ || high_ - low_ < kConverged * s_;
+  }
+  // Chooses the next trial after found(). Throws SolveError if there were too many.
+  void choose(double mu) {
+    constexpr int kSecants = 10, kMaxTrials = 100;
+    const double secant = trials_ == 0 ? mu : s_ - change_ * (s_ - before_) / (change_ - change_before_);
+    double next = std::min(mu, 2 * s_);
+    if (trials_ < kSecants && secant > low_ && secant < high_)
+      next = secant;
+    else if (high_ < HUGE_VAL)
+      next = 0.5 * (low_ + high_);
+    before_ = s_;
+    change_before_ = change_;
+    s_ = next;
+    if (++trials_ == kMaxTrials) throw SolveError(advice::modes_incomplete());
+  }
+
+ private:
+  double s_;
+  double change_ = 0;                      // mu - s at the trial
+  double before_ = 0, change_before_ = 0;  // at the trial before
+  double low_ = 0, high_ = HUGE_VAL;
+  int trials_ = 0;  // completed
+};
+
 // Changes the modes that oscillate from those with the mass of time integration to those with the mass at
 // their own frequency: the k-th of them is at the root s of mu_k(s) = s, where mu_k(s) is the k-th eigenvalue
-// with the mass at omega = sqrt(s). Found by secants within a bracket.
+// with the mass at omega = sqrt(s).
 void iterate_frequencies(System& system, const Kinematics& state, Mat K,
                          const std::vector<DependsOnFrequency*>& terms, std::vector<Eigenpair>& modes,
                          bool is_symmetric) {
-  constexpr double kConverged = 1e-9;  // relative, of omega²
-  constexpr int kSecants = 10;         // after these the bracket is bisected
-  constexpr int kMaxIterations = 100;
   const auto set_frequency = [&](std::optional<double> omega) {
     for (DependsOnFrequency* t : terms) t->set_frequency(omega);
   };
   const VecHandle work = system.create_vector();
   const size_t first = first_oscillating(modes);
   for (size_t k = first; k < modes.size();) {
-    double low = 0;
-    double high = HUGE_VAL;
-    double s = modes[k].squared;
-    double before = 0;
-    double change_before = 0;
-    for (int i = 0;; ++i) {
-      if (i == kMaxIterations) throw SolveError(advice::modes_incomplete());
-      set_frequency(std::sqrt(s));
+    FrequencyRoot root(modes[k].squared);
+    for (bool found = false; !found;) {
+      set_frequency(std::sqrt(root.trial()));
       const MatHandle M = mass_at_rest(system, state);
       std::vector<Eigenpair> here = lowest_modes(system, K, M.get(), k + 1, is_symmetric);
       size_t m = first_oscillating(here) + k - first;
       // Where the mass is negative in some direction, there are fewer.
       const double mu = m < here.size() ? here[m].squared : HUGE_VAL;
-      const double change = mu - s;
-      (change > 0 ? low : high) = s;
-      if (std::abs(change) < kConverged * s || high - low < kConverged * s) {
-        const MatHandle C = damping_at_rest(system, state);
-        // Repeated eigenvalues have any vectors of their space, so all of them are taken here.
-        for (; k < modes.size() && m < here.size() && here[m].squared <= mu * (1 + kGap); ++k, ++m) {
-          Vec u = here[m].vector.get();
-          here[m].damping_ratio =
-              form(C.get(), u, work.get()) / (2 * std::sqrt(here[m].squared) * form(M.get(), u, work.get()));
-          modes[k] = std::move(here[m]);
-        }
-        break;
+      found = root.found(mu);
+      if (!found) {
+        root.choose(mu);
+        continue;
       }
-      const double secant = i == 0 ? mu : s - change * (s - before) / (change - change_before);
-      double next = std::min(mu, 2 * s);
-      if (i < kSecants && secant > low && secant < high)
-        next = secant;
-      else if (high < HUGE_VAL)
-        next = 0.5 * (low + high);
-      before = s;
-      change_before = change;
-      s = next;
+      const MatHandle C = damping_at_rest(system, state);
+      // Repeated eigenvalues have any vectors of their space, so all of them are taken here.
+      for (; k < modes.size() && m < here.size() && here[m].squared <= mu * (1 + kGap); ++k, ++m) {
+        Vec u = here[m].vector.get();
+        here[m].damping_ratio =
+            form(C.get(), u, work.get()) / (2 * std::sqrt(here[m].squared) * form(M.get(), u, work.get()));
+        modes[k] = std::move(here[m]);
+      }
     }
   }
   set_frequency(std::nullopt);
