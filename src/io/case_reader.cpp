@@ -10,6 +10,7 @@
 #include <fstream>
 #include <iterator>
 #include <sstream>
+#include <utility>
 
 #include "hawser/advice/cut_lines.hpp"
 #include "hawser/advice/input_warnings.hpp"
@@ -152,15 +153,13 @@ namespace {
 constexpr const char* kEmpty = "the file is empty";
 }
 
-std::string case_text(const std::string& path, std::string& why) {
-  why = unreadable(path, "case", kMostCase);
-  if (!why.empty()) return "";
+CaseText case_text(const std::string& path) {
+  if (std::string why = unreadable(path, "case", kMostCase); !why.empty()) return {"", std::move(why)};
   std::error_code error;
   std::ifstream in(path, std::ios::binary);
   std::ostringstream text;
-  if (!in || !(text << in.rdbuf()))
-    why = in && fs::file_size(path, error) == 0 && !error ? kEmpty : "cannot be read";
-  return text.str();
+  if (in && (text << in.rdbuf())) return {text.str(), ""};
+  return {"", in && fs::file_size(path, error) == 0 && !error ? kEmpty : "cannot be read"};
 }
 
 model::Case with_lengths(const Case& c, const SectionLengths& lengths, MPI_Comm comm) {
@@ -174,9 +173,8 @@ model::Case read_case_text(const std::string& text, const std::string& path,
 
 model::Case read_case(const std::string& path, const ReadProgress& read_progress, MPI_Comm comm,
                       const CaseChanges& changes) {
-  std::string why;
-  std::string text = case_text(path, why);
-  if (!why.empty()) model::fail(path, why == kEmpty ? 1 : 0, "", why);
+  auto [text, fault] = case_text(path);
+  if (!fault.empty()) model::fail(path, fault == kEmpty ? 1 : 0, "", fault);
   return read_changed(std::move(text), path, read_progress, comm, changes);
 }
 

@@ -188,9 +188,8 @@ class Places {
 std::shared_ptr<const Value> document(const Value& key, const FarmPart& part, const std::string& path,
                                       const CaseChanges& changes, const std::vector<std::string>& types,
                                       std::vector<std::string>& change_notes) {
-  std::string why;
-  const std::string text = case_text(path, why);
-  if (!why.empty()) refuse(key, "{}: {}", part.file, why);
+  const auto [text, fault] = case_text(path);
+  if (!fault.empty()) refuse(key, "{}: {}", part.file, fault);
   const auto tree = std::make_shared<Value>(parse_yaml(text, part.file));
   if (const Value* farm = tree->find("farm"))
     model::fail(part.file, farm->line, "farm",

@@ -19,16 +19,17 @@ namespace {
 constexpr int kMaxIterations = 12, kEasyIterations = 4;
 constexpr int kMaxOnKinks = 24;      // limit where Newton's iteration has to find kinks
 constexpr double kReduction = 1e-4;  // of the imbalance, for a step to count as solved
-constexpr double kDivergenceRatio =
-    1e6;  // growth of the imbalance beyond which Newton's iteration has diverged
+// Growth of the imbalance beyond which Newton's iteration has diverged.
+constexpr double kDivergenceRatio = 1e6;
+// Factors of the mass after a rejected step, and after one of few iterations.
 constexpr double kHeavier = 4, kLighter = 0.5;
 // After this number of accepted steps in a row an earlier rejection no longer explains a failure, because the
 // mass is then lower than before that rejection.
-constexpr int kFree = 4;
-constexpr double kFirst = 0.002;    // fraction of the longest line by which the first step may move nodes
-constexpr double kHeaviest = 1e12;  // ratio of the mass to the first one at which motion is negligible
-constexpr double kMaxSlide =
-    10;  // times the longest line: a body that has slid or fallen so far does not come to rest
+constexpr int kForgetsRejection = 4;
+constexpr double kFirstMove = 0.002;  // fraction of the longest line by which the first step may move nodes
+constexpr double kHeaviest = 1e12;    // ratio of the mass to the first one at which motion is negligible
+// Lengths of the longest line: a body that has slid or fallen so far does not come to rest.
+constexpr double kMaxSlide = 10;
 
 // The step of pseudo-time is 1, so velocities are increments and the mass is a stiffness: N/m at positions, N
 // m at rotations.
@@ -72,7 +73,7 @@ class Relaxation : StaticTrial {
       }
       ++report.steps;
       accept_trial();
-      if (++free > kFree) blocked_by_.reset();
+      if (++free > kForgetsRejection) blocked_by_.reset();
       if (iterations <= kEasyIterations) scale_mass(kLighter);
       if (kinks_.active() && rests_on_kinks(report)) return report;
       if (settings_.friction) {
@@ -99,7 +100,7 @@ class Relaxation : StaticTrial {
   double first_mass(const ResidualNorms& n) const {
     const double nodes = static_cast<double>(system_.mesh().mesh->nodes());
     const double force = std::max(n.force, n.moment / std::max(length_, 1e-300));
-    return force / std::sqrt(nodes) / (kFirst * longest_);
+    return force / std::sqrt(nodes) / (kFirstMove * longest_);
   }
   // Every kWatched steps, tried again or not: returns true if the iteration stagnates. If the imbalance has
   // not halved, relaxation continues without momentum if it had it, and vice versa: drag has no potential and

@@ -18,18 +18,21 @@ constexpr double kRounding = 1e-10;  // relative difference of energies below wh
 constexpr double kFirstShift = 1e-3;
 // Ratio of axial stiffness to load at the start; its factor from level to level.
 constexpr double kSoft = 300, kStiffening = 30;
-constexpr int kMaxTrials = 30, kMaxEscapes = 3, kPolish = 4;
+constexpr int kMaxTrials = 30, kMaxEscapes = 3, kMaxPolishing = 4;
 // A push ends where the forces that drive it vanish first: number of its trials up to the longest step, and
 // the relative accuracy of that place.
 constexpr int kPartsOfPush = 16;
 constexpr double kEndOfPush = 0.1;
 constexpr double kSamePlace = 1e-6;  // relative to the longest line, for the side to which bodies are pushed
-constexpr double kNegative =
-    1e-7;  // relative shift; eigenvalues of slack parts, which are round-off, are below it
+// Relative shift of the tangent whose stability is judged: eigenvalues of slack parts, which are round-off,
+// are below it.
+constexpr double kStabilityShift = 1e-7;
+// Limits of the relative shift, and the one above which a search without descent ends.
+constexpr double kMinShift = 1e-9, kMaxShift = 1e7, kShiftAtEnd = 1e6;
 // Factor of a shortened step below which the energy may have a kink, the distance of its sides as a fraction
 // of the longest element, and the change of slope between them as a fraction of the slope at the state.
 constexpr double kShortened = 0.25, kWidth = 1e-8, kJump = 0.1;
-constexpr int kMaxCut = 100;  // most steps of a descent that blocking lines may shorten
+constexpr int kMaxBlocked = 100;  // most steps of a descent that blocking lines may shorten
 
 }  // namespace
 
@@ -88,7 +91,7 @@ StaticsReport StaticSearch::run(bool skip_softening) {
 }
 
 Stability StaticSearch::judge() {
-  use_tangent(true, kNegative);
+  use_tangent(true, kStabilityShift);
   weights_.stabilisation = 0;
   tangent();
   // Frees the factors, so that they are not in memory together with those of the inertia.
@@ -256,7 +259,7 @@ bool StaticSearch::advance(Vec y) {
   if (descent.accepted) accept_trial();
   if (descent.searched) residual();
   count_blocked(descent.blocked);
-  if ((!descent.accepted && shift_ > 1e6) || blocked_steps_ > kMaxCut)
+  if ((!descent.accepted && shift_ > kShiftAtEnd) || blocked_steps_ > kMaxBlocked)
     stop_search();
   else
     adapt_shift(descent, close || largest == 1);
@@ -337,7 +340,7 @@ void StaticSearch::stop_search() {
 void StaticSearch::adapt_shift(const Descent& descent, bool trusted) {
   const bool at_once = descent.accepted && descent.trials == 1;
   const double factor = at_once && trusted ? 0.2 : at_once ? 1 : 4;
-  shift_ = std::clamp(factor * shift_, 1e-9, 1e7);
+  shift_ = std::clamp(factor * shift_, kMinShift, kMaxShift);
   if (!descent.accepted) shift_ *= 10;
 }
 
@@ -365,7 +368,7 @@ bool StaticSearch::stop_at_kink(Bracket bracket, double slope) {
 }
 
 void StaticSearch::polish() {
-  for (int i = 0; i < kPolish; ++i) {
+  for (int i = 0; i < kMaxPolishing; ++i) {
     residual();
     use_tangent(true, 0);
     newton(u_.get());

@@ -44,8 +44,11 @@ struct CaseSource {
   [[noreturn]] void refuse(const model::Value& v, const std::string& key, const std::string& text) const;
 };
 
-// Text of a case file; why: receives the end of a sentence on an error, empty: none.
-std::string case_text(const std::string& path, std::string& why);
+// Text of a case file, and the end of a sentence on an error; empty: none.
+struct CaseText {
+  std::string text, fault;
+};
+CaseText case_text(const std::string& path);
 
 Vec3 as_vec3(const model::Value& v);
 
