@@ -176,9 +176,9 @@ Key body_hydrodynamics() {
        vec3({"place", &H::place}, length,
             "position of the body's origin in the case that corresponds to its position in the files; "
             "displacements count from here",
-            or_else_note("x and y of `position`, z of `origin_in_file`")),
+            or_else_note("x and y of `position`, z of `origin_in_file`"), fixed_in_restart),
        number({"heading_deg", &H::heading}, angle, "heading of the body at `place`",
-              or_else_note("heading of `rotation_deg`")),
+              or_else_note("heading of `rotation_deg`"), fixed_in_restart),
        number({"follow_period", &H::follow_period}, time,
               "period of the low-pass filter of the body's position and heading: waves act at the filtered "
               "position, and the coefficients have the axes of the filtered heading; 0: always at `place` "
@@ -364,7 +364,7 @@ Key body_positioning() {
       {vec3({"place", &P::place}, length, "set point of the body's origin; z is not controlled",
             or_else_note("same as `position`")),
        number({"heading_deg", &P::heading}, angle, "set point of the heading, of the body's x axis from +x",
-              or_else_note("heading of `rotation_deg`")),
+              or_else_note("heading of `rotation_deg`"), fixed_in_restart),
        gains("proportional", &P::proportional,
              "gains P in surge, sway and yaw, on the offset from the set point: N/m, N/m, N m/rad"),
        gains("derivative", &P::derivative, "gains D, on the velocity: N s/m, N s/m, N m s/rad"),
@@ -443,8 +443,9 @@ Key bodies() {
       "bodies",
       map("<body>",
           {vec3({"position", &Body::position}, length, "position of the body's origin at t = 0",
-                or_else(kZero)),
-           vec3({"rotation_deg", &Body::rotation}, angle, "rotation vector at t = 0", or_else(kZero)),
+                or_else(kZero), fixed_in_restart),
+           vec3({"rotation_deg", &Body::rotation}, angle, "rotation vector at t = 0", or_else(kZero),
+                fixed_in_restart),
            motion(), floating(),
            map({"on", &Body::ride},
                {reference({"line", &Ride::line}, "lines", "the line", required),
