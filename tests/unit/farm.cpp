@@ -418,7 +418,8 @@ lines:
     sections: [{type: rope, length: 80, elements: 8}]
     end_a: {anchor: [-60, 0, -50]}
     end_b: {body: float, at: [-8, 0, -5]}
-bodies: {float: {)" + float_ + ", ramp: 9}}}\n");
+bodies: {float: {)" + float_ +
+                           ", ramp: 9}}}\n");
     const model::Case c = read(
         "hawser: 1\nfarm: {of: ship.yaml, at: [[0, 0], [900, 0, -60], [0, 900, 90], [900, 900, 180]]}\n" +
         kSea);
