@@ -99,7 +99,7 @@ std::string changed_by_set(const std::string& text, const std::vector<std::strin
   return fmt::format(
       "{} (the case is changed by --set {}; a continued run may have another duration, other motions, "
       "waves, loads, friction, steps and outputs, but not other lines, lengths, elements, links or volumes, "
-      "nor another mass, stiffness or position of anchors and bodies)",
+      "nor another mass, stiffness or position of anchors and floating bodies)",
       text, fmt::join(changes, " --set "));
 }
 

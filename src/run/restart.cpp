@@ -69,13 +69,20 @@ double number_of(const std::string& text) {
 }
 
 // Identity of the state and contact history: rotating nodes, order of volumes, and values of the keys that a
-// restart must not change.
+// restart must not change. Positions are compared of bodies that move by their mass: that of another body is
+// a part of its motion, and large farms have many of them.
 std::map<std::string, double> signature(const Simulation& simulation) {
   std::map<std::string, double> out;
   double& beams = out["case.rotating nodes"];
   for (int n = 0; n < simulation.mesh().nodes(); ++n) beams += simulation.mesh().node(n).rotates;
   const auto& volumes = simulation.model().volumes;
   for (size_t v = 0; v < volumes.size(); ++v) out["case.volume " + volumes[v].name] = static_cast<double>(v);
+  for (const model::Body& b : simulation.model().bodies) {
+    if (!b.mass) continue;
+    for (const auto& [key, value] : {std::pair{"position", b.position}, {"rotation_deg", b.rotation}})
+      out[fmt::format("{}bodies.{}.{}", kKey, b.name, key)] =
+          number_of(fmt::format("{:.9g} {:.9g} {:.9g}", value.x(), value.y(), value.z()));
+  }
   double& keys = out[kKeys];
   const auto add = [&](const model::Value& tree, const std::string& prefix) {
     for (const auto& [key, value] : model::fixed_values(tree)) {
