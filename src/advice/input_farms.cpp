@@ -26,7 +26,7 @@ std::vector<PlacedBody> placed_bodies(const Case& c) {
     for (const EndAtBody& e : ends[b]) placed.radius = std::max(placed.radius, e.end.at.head<2>().norm());
     if (placed.place && placed.radius > 0) out.push_back(placed);
   }
-  std::sort(out.begin(), out.end(), [](const PlacedBody& a, const PlacedBody& b) {
+  std::stable_sort(out.begin(), out.end(), [](const PlacedBody& a, const PlacedBody& b) {
     return a.body->position.x() < b.body->position.x();
   });
   return out;

@@ -72,7 +72,7 @@ class RestartMessages(unittest.TestCase):
 
     def test_positions(self):
         body = "bodies.float."
-        for key, value, name in (("position[0]", "1", "position"), ("rotation_deg", "[0, 0, 5]", "rotation_deg"),
+        for key, value, name in (("position", "[1, 0, 0]", "position"), ("rotation_deg", "[0, 0, 5]", "rotation_deg"),
                                  ("floating.hydrodynamics.place", "[1, 0, 0]", "floating.hydrodynamics.place"),
                                  ("floating.hydrodynamics.heading_deg", "5", "floating.hydrodynamics.heading_deg")):
             with self.subTest(key=key):
