@@ -77,8 +77,10 @@ std::map<std::string, double> signature(const Simulation& simulation) {
   for (int n = 0; n < simulation.mesh().nodes(); ++n) beams += simulation.mesh().node(n).rotates;
   const auto& volumes = simulation.model().volumes;
   for (size_t v = 0; v < volumes.size(); ++v) out["case.volume " + volumes[v].name] = static_cast<double>(v);
-  for (const model::Body& b : simulation.model().bodies) {
-    if (!b.mass) continue;
+  const auto& bodies = simulation.model().bodies;
+  for (size_t i = 0; i < bodies.size(); ++i) {
+    if (!bodies.has(i) || !bodies[i].mass) continue;
+    const model::Body& b = bodies[i];
     for (const auto& [key, value] : {std::pair{"position", b.position}, {"rotation_deg", b.rotation}})
       out[fmt::format("{}bodies.{}.{}", kKey, b.name, key)] =
           number_of(fmt::format("{:.9g} {:.9g} {:.9g}", value.x(), value.y(), value.z()));
