@@ -118,11 +118,12 @@ class BodyProportions {
            -z);
   }
 
-  // Of a body that starts in the water.
+  // Of a body that starts in the water, and that no springs hold in the soil, as a suction pile.
   void depth(const BodyMass& m) {
     const Water& w = c_.environment.water;
     const double bottom = w.surface - w.depth;
     if (!w.present || !(w.depth > 0) || b_.ride || b_.position.z() < bottom) return;
+    if (m.spring_stiffness().z() > 0 && !m.hydrodynamics && !m.hull) return;
     const double z = (b_.position + exp_so3(b_.rotation) * m.centre).z();
     if (z < bottom)
       warn("floating.centre_of_mass",

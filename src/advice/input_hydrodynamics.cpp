@@ -291,9 +291,9 @@ void warn_of_long_waves(const Case& c, const Body& b, std::vector<InputWarning>&
 
 void warn_of_drift(const Case& c, const Body& b, std::vector<InputWarning>& out) {
   const BodyHydrodynamics& h = *b.mass->hydrodynamics;
-  if (const DriftSize size = drift_size(c, b); size.is_noted())
-    out.push_back({key_of_files(b), text_of(size), "drift size", Effect::all});
-  if (const std::optional<int> freedom = drift_against_waves(h))
+  const DriftSize size = drift_size(c, b);
+  if (size.is_noted()) out.push_back({key_of_files(b), text_of(size, h), "drift size", Effect::all});
+  if (const std::optional<int> freedom = drift_against_waves(h); freedom && size.has_direction())
     add_warning(
         out, key_of_files(b), Effect::all,
         "the mean drift force of the files in {} is against the waves at most frequencies: does it have "

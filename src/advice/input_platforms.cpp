@@ -252,6 +252,24 @@ void warn_of_flow(const Body& b, std::vector<InputWarning>& out) {
   warn(b.mass->current, "current");
 }
 
+// A constant force on a platform that is negligible, or larger than its mooring and its buoyancy can hold.
+// Thrust of turbines is 0.002 to 0.01 of the weight, and a buoy is pulled down by up to several times its
+// weight.
+void warn_of_loads(const Case& c, const Body& b, std::vector<InputWarning>& out) {
+  constexpr double kSmallest = 1e-5, kLargest = 10;  // of the weight
+  const BodyMass& m = *b.mass;
+  const double weight = m.mass * c.environment.gravity;
+  if ((!m.hydrodynamics && !m.hull) || !(weight > 0)) return;
+  for (size_t i = 0; i < m.loads.size(); ++i) {
+    const double force = m.loads[i].force.norm();
+    if (force == 0 || !m.loads[i].moment.isZero(0) || !m.loads[i].table.empty()) continue;
+    if (force < kSmallest * weight || force > kLargest * weight)
+      add_warning(out, fmt::format("bodies.{}.floating.loads[{}]", b.name, i), Effect::all,
+                  "a force of {:.3g} N is {:.2g} times the weight of the body, {:.3g} N: is it in N?", force,
+                  force / weight, weight);
+  }
+}
+
 // Dynamic positioning with an unstable control loop.
 void warn_of_positioning(const Body& b, std::vector<InputWarning>& out) {
   const Vec3 growth = model::loop_growth(b);
@@ -279,6 +297,7 @@ void warn_of_platforms(const Case& c, std::vector<InputWarning>& out) {
     if (b.mass) warn_of_members(c, b, out);
     if (b.mass) warn_of_fairleads(c, b, out);
     if (b.mass) warn_of_flow(b, out);
+    if (b.mass) warn_of_loads(c, b, out);
     if (b.mass && b.mass->positioning) warn_of_positioning(b, out);
     if (b.mass) warn_of_stiffness(b, "stiffness_matrix", b.mass->stiffness_matrix, out);
     if (b.mass) warn_of_damping(c, b, "damping_matrix", b.mass->damping_matrix, out);

@@ -80,12 +80,13 @@ void warn_of_anchor(const Case& c, const Line& line, const End& e, const char* w
                 "is {:.6g} m above the water, whose depth is {:.6g} m: z points up; is {:g} meant?", z, depth,
                 -e.at.z());
   if (!bed.present || bed.surface) return;
-  const double height = height_above_bed(bed, e.at);
-  if (height > kNear && height < kNearShare * bed.depth)
+  const double bottom = below_on_bed(bed, e.at).z();
+  const double height = e.at.z() - bottom;
+  if (height > kNear && height < kNearShare * (w.surface - bottom))
     add_warning(
         out, key, Effect::all,
         "is {:.4g} m above the seabed, which is at z = {:.6g} m there; is an anchor in mid-water intended?",
-        height, e.at.z() - height / bed_normal(bed).z());
+        height, bottom);
 }
 
 void warn_of_bed_in_reach(const Case& c, std::vector<InputWarning>& out) {

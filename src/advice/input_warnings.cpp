@@ -33,6 +33,7 @@ std::vector<InputWarning> input_warnings(const Case& c) {
   warn_of_rotations(c, out);
   warn_of_bodies(c, out);
   warn_of_platforms(c, out);
+  warn_of_farms(c, out);
   warn_of_sea(c, out);
   warn_of_times(c, out);
   return out;

@@ -22,11 +22,27 @@ std::string damaged_checkpoint(const std::string& quantity, double value) {
   return fmt::format("its checkpoint is damaged: {} is {:g}", quantity, value);
 }
 
-std::string other_version(const std::string& file, const std::string& kept) {
+namespace {
+
+std::string other_ways(const std::string& file) {
+  return fmt::format("start from its last shape by 'start: {{from: {}}}', or repeat the run", file);
+}
+
+}  // namespace
+
+std::string other_quantities(const std::string& file, const std::string& kept, const std::string& version,
+                             const std::string& here) {
+  const std::string versions = version.empty() ? "" : fmt::format(" ({}; this is {})", version, here);
+  return fmt::format("another version of hawser{} wrote it, with other quantities of {}; {}", versions, kept,
+                     other_ways(file));
+}
+
+std::string other_or_version(const std::string& difference, const std::string& file,
+                             const std::string& version, const std::string& here) {
   return fmt::format(
-      "another version of hawser wrote it, with other quantities of {}; start from its last shape by 'start: "
-      "{{from: {}}}', or repeat the run",
-      kept, file);
+      "{}; another version of hawser ({}; this is {}) wrote it: if the case is the same, continue with that "
+      "version, {}",
+      difference, version, here, other_ways(file));
 }
 
 std::string other_case(const std::string& difference) { return "it holds another case: " + difference; }
@@ -46,6 +62,14 @@ std::string other_number_of_nodes(const std::string& line, double in_checkpoint,
 std::string other_node(const std::string& line, double in_checkpoint, double in_case) {
   return fmt::format("a node of line {} is at {:.6g} m in the file, {:.6g} m in this case", line,
                      in_checkpoint, in_case);
+}
+
+std::string other_end(const std::string& line, LineEnd end, const Vec3& in_checkpoint, const Vec3& in_case) {
+  const auto point = [](const Vec3& x) {
+    return fmt::format("[{:.6g}, {:.6g}, {:.6g}] m", x.x(), x.y(), x.z());
+  };
+  return fmt::format("end {} of line {} is at {} in the file, and this case holds it at {}", end_letter(end),
+                     line, point(in_checkpoint), point(in_case));
 }
 
 std::string other_beams() { return "other nodes are of beams"; }
@@ -73,9 +97,9 @@ std::string not_fed_in_checkpoint(const std::string& end) { return end + " is no
 
 std::string changed_by_set(const std::string& text, const std::vector<std::string>& changes) {
   return fmt::format(
-      "{} (the case is changed by --set {}; a continued run may have another duration, other motions, waves, "
-      "loads, friction, steps and outputs, but not other lines, lengths, elements, links or volumes, nor "
-      "another mass or stiffness)",
+      "{} (the case is changed by --set {}; a continued run may have another duration, other motions, "
+      "waves, loads, friction, steps and outputs, but not other lines, lengths, elements, links or volumes, "
+      "nor another mass, stiffness or position of anchors and floating bodies)",
       text, fmt::join(changes, " --set "));
 }
 

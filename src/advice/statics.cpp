@@ -136,11 +136,16 @@ std::string body_moves_on(const std::string& place, double far) {
 
 std::string more_lines_on_bed(size_t lines) { return fmt::format("{} more lines are on the seabed", lines); }
 
-std::string lie_below_water(const std::vector<std::string>& lines, double below, double depth) {
+std::string lie_below_water(const std::vector<std::string>& lines, double below, double depth,
+                            bool with_anchor) {
+  const std::string bed =
+      with_anchor
+          ? "a 'seabed' through its anchors, of which one is down there: 'depth' with 'slope_deg', or 'grid'"
+          : fmt::format("'environment: {{seabed: {{depth: {:.6g}}}}}'", depth);
   return fmt::format(
       "{}{}: at rest {:.4g} m below the bottom of the water, whose depth is {:.6g} m, since the case has no "
-      "seabed: give 'environment: {{seabed: {{depth: {:.6g}}}}}'",
-      lines.size() > 1 ? "lines " : "lines.", model::names_text(lines), below, depth, depth);
+      "seabed: give {}",
+      lines.size() > 1 ? "lines " : "lines.", model::names_text(lines), below, depth, bed);
 }
 
 std::string singular_mooring() {

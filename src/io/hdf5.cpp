@@ -206,6 +206,18 @@ std::vector<std::string> read_texts(hid_t file, const std::string& name) {
 
 std::string read_text(hid_t file, const std::string& name) { return read_texts(file, name).at(0); }
 
+std::string read_text_attribute(hid_t object, const std::string& name) {
+  if (H5Aexists(object, name.c_str()) <= 0) return "";
+  const Id at = own(H5Aopen(object, name.c_str(), H5P_DEFAULT), H5Aclose, "attribute " + name);
+  const Id type = own(H5Aget_type(at), H5Tclose, "attribute " + name);
+  const Id space = own(H5Aget_space(at), H5Sclose, "attribute " + name);
+  const bool is_text = H5Tget_class(type) == H5T_STRING && H5Tis_variable_str(type) == 0;
+  if (!is_text || H5Sget_simple_extent_npoints(space) != 1) return "";
+  std::string text(H5Tget_size(type), '\0');
+  check(H5Aread(at, type, text.data()), "attribute " + name);
+  return text.substr(0, text.find('\0'));
+}
+
 Array read_array(hid_t file, const std::string& name) {
   const Id set = open_dataset(file, name);
   Array a{shape_of(set), {}};

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <sstream>
 #include <stdexcept>
@@ -86,6 +87,31 @@ Words words_of(const std::string& line) {
   return words;
 }
 
+// Lengths of the lines of rows, by the number of their values.
+class RowLengths {
+ public:
+  // True if the line is shorter than the earlier rows with as many values, which all have one length:
+  // programs write their numbers in columns of fixed width.
+  bool shorter(const std::string& line, size_t values) {
+    constexpr int kFew = 3;  // rows
+    Length& of_rows = lengths_[values];
+    const size_t length = line.find_last_not_of(" \t\r") + 1;
+    const bool out = of_rows.rows >= kFew && of_rows.equal && length < of_rows.length;
+    of_rows.equal = of_rows.equal && (of_rows.rows == 0 || length == of_rows.length);
+    of_rows.length = length;
+    ++of_rows.rows;
+    return out;
+  }
+
+ private:
+  struct Length {
+    int rows = 0;
+    size_t length = 0;
+    bool equal = true;
+  };
+  std::map<size_t, Length> lengths_;
+};
+
 }  // namespace
 
 std::string number_table_path(const std::string& path) {
@@ -102,6 +128,7 @@ NumberTable read_number_table(const std::string& path, const std::vector<size_t>
     throw std::runtime_error(table.path + ": " + why);
   const std::string text = unpacked(table.path);
   if (is_utf16(text)) throw std::runtime_error(table.path + ": is a text in UTF-16: save it in UTF-8");
+  RowLengths lengths;
   size_t from = mark_length(text);
   for (int line = 1; from < text.size(); ++line) {
     const size_t end = std::min(text.find('\n', from), text.size());
@@ -109,6 +136,7 @@ NumberTable read_number_table(const std::string& path, const std::vector<size_t>
     const std::string words = text.substr(from, end - from);
     const bool numbers = numbers_of(words, row.values);
     from = end + 1;
+    const bool unended = from >= text.size() && text.back() != '\n';
     if (numbers && row.values.empty()) continue;
     const auto fits = [&columns](size_t count) {
       return std::count(columns.begin(), columns.end(), count) > 0;
@@ -117,17 +145,21 @@ NumberTable read_number_table(const std::string& path, const std::vector<size_t>
       throw std::runtime_error(
           fmt::format("{}:{}: its numbers have decimal commas: give them decimal points", table.path, line));
     if (numbers && fits(row.values.size())) {
+      if (lengths.shorter(words, row.values.size()) && unended)
+        throw std::runtime_error(fmt::format(
+            "{}:{}: the last row is shorter than the others and ends without a line break: is the "
+            "file truncated? If not, end the row with a line break",
+            table.path, line));
       table.rows.push_back(std::move(row));
       continue;
     }
     // Before the first row, a line whose words are mostly numbers is a faulty row; else it is a title.
     const Words count = words_of(words);
     if (table.rows.empty() && !(fits(count.all) && 2 * count.numbers > count.all)) continue;
-    const bool truncated = from >= text.size() && text.back() != '\n';
     throw std::runtime_error(fmt::format("{}:{}: a row of this file has {} numbers, but this one has {}{}{}",
                                          table.path, line, fmt::join(columns, " or "), row.values.size(),
                                          numbers ? "" : " and something that is no number",
-                                         truncated ? ": is the file truncated?" : ""));
+                                         unended ? ": is the file truncated?" : ""));
   }
   if (table.rows.empty())
     throw std::runtime_error(

@@ -46,14 +46,13 @@ DriftSize drift_size(const Case& c, const Body& b) {
   return out;
 }
 
-std::string text_of(const DriftSize& size) {
+std::string text_of(const DriftSize& size, const BodyHydrodynamics& h) {
   return fmt::format(
       "the mean drift force of the files, {:.3g} N/m² at {:.4g} s, is {:.3g} times that of a wall of {:.3g} "
-      "m, "
-      "the width of the body, which reflects the wave completely: are its values those divided by rho g "
-      "(WAMIT), "
-      "for the length scale of the case?",
-      size.force, size.period, size.times, size.width);
+      "m, the width of the body, which reflects the wave completely: are its values those divided by rho "
+      "g{}?",
+      size.force, size.period, size.times, size.width,
+      h.format == BodyHydrodynamics::Format::wamit ? " (WAMIT), for the length scale of the case" : "");
 }
 
 // Sums over frequencies and directions of the force along the axis of a freedom, positive with the waves,

@@ -67,7 +67,7 @@ void check_platform(const Case& c, const Body& b, const Issues& issue) {
           "waterplane, so that it cannot be negative: does the file have the other sign?",
           C33);
   if (h.wave_forces()) check_wave_forces(c, b, issue);
-  if (const DriftSize size = drift_size(c, b); size.is_refused()) issue(h.key(), "{}", text_of(size));
+  if (const DriftSize size = drift_size(c, b); size.is_refused()) issue(h.key(), "{}", text_of(size, h));
   check_symmetric(h.stiffness, "stiffness", issue);
   check_dissipates(h.damping, "damping", issue);
   check_dissipates(h.quadratic_damping, "quadratic_damping", issue);

@@ -176,9 +176,9 @@ Key body_hydrodynamics() {
        vec3({"place", &H::place}, length,
             "position of the body's origin in the case that corresponds to its position in the files; "
             "displacements count from here",
-            or_else_note("x and y of `position`, z of `origin_in_file`")),
+            or_else_note("x and y of `position`, z of `origin_in_file`"), fixed_in_restart),
        number({"heading_deg", &H::heading}, angle, "heading of the body at `place`",
-              or_else_note("heading of `rotation_deg`")),
+              or_else_note("heading of `rotation_deg`"), fixed_in_restart),
        number({"follow_period", &H::follow_period}, time,
               "period of the low-pass filter of the body's position and heading: waves act at the filtered "
               "position, and the coefficients have the axes of the filtered heading; 0: always at `place` "

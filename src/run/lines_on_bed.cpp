@@ -3,6 +3,7 @@
 #include "hawser/run/lines_on_bed.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <set>
@@ -58,22 +59,28 @@ std::string lines_below_water(const model::Case& c, const System& system, const 
   const model::Water& water = c.environment.water;
   if (c.environment.seabed.present || !water.present || !(water.depth > 0)) return {};
   const LocalMesh& mesh = system.mesh();
-  std::set<int> lines;  // of this rank, below the bottom
-  double deepest = 0;   // m
+  std::set<int> lines;     // of this rank, below the bottom
+  double deepest = 0;      // m
+  double with_anchor = 0;  // 1: an anchor is below the bottom
   for (int n = 0; n < mesh.owned; ++n) {
     const Node& node = mesh.node(n);
     const double below = water.surface - water.depth - state.x[static_cast<size_t>(n)].z();
     if (node.line >= std::ssize(mesh.mesh->lines) || !(below > kBelow * water.depth)) continue;
     lines.insert(node.line);
     deepest = std::max(deepest, below);
+    for (const LineEnd end : kLineEnds)
+      if (mesh.mesh->lines[node.line].end_node(end) == mesh.global[static_cast<size_t>(n)] &&
+          c.lines[static_cast<size_t>(node.line)].end(end).kind == model::EndKind::anchor)
+        with_anchor = 1;
   }
   const std::vector<int> all = gather_all(system.comm(), std::vector<int>(lines.begin(), lines.end()));
-  all_reduce(system.comm(), MPI_MAX, deepest);
+  std::array<double, 2> largest{deepest, with_anchor};
+  all_reduce(system.comm(), MPI_MAX, largest);
   std::vector<std::string> names;
   for (const int line : std::set<int>(all.begin(), all.end()))
     if (const std::string name = mesh.mesh->line_names[line]; names.empty() || names.back() != name)
       names.push_back(name);  // once for all parts of a line that events cut
-  return names.empty() ? "" : advice::lie_below_water(names, deepest, water.depth);
+  return names.empty() ? "" : advice::lie_below_water(names, largest[0], water.depth, largest[1] > 0);
 }
 
 }  // namespace hawser::run

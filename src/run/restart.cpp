@@ -21,6 +21,7 @@
 #include "hawser/record/audit_checkpoint.hpp"
 #include "hawser/run/feeder_nodes.hpp"
 #include "hawser/run/restart_file_check.hpp"
+#include "hawser/run/version.hpp"
 
 namespace hawser::run {
 namespace {
@@ -68,13 +69,22 @@ double number_of(const std::string& text) {
 }
 
 // Identity of the state and contact history: rotating nodes, order of volumes, and values of the keys that a
-// restart must not change.
+// restart must not change. Positions are compared of bodies that move by their mass: that of another body is
+// a part of its motion, and large farms have many of them.
 std::map<std::string, double> signature(const Simulation& simulation) {
   std::map<std::string, double> out;
   double& beams = out["case.rotating nodes"];
   for (int n = 0; n < simulation.mesh().nodes(); ++n) beams += simulation.mesh().node(n).rotates;
   const auto& volumes = simulation.model().volumes;
   for (size_t v = 0; v < volumes.size(); ++v) out["case.volume " + volumes[v].name] = static_cast<double>(v);
+  const auto& bodies = simulation.model().bodies;
+  for (size_t i = 0; i < bodies.size(); ++i) {
+    if (!bodies.has(i) || !bodies[i].mass) continue;
+    const model::Body& b = bodies[i];
+    for (const auto& [key, value] : {std::pair{"position", b.position}, {"rotation_deg", b.rotation}})
+      out[fmt::format("{}bodies.{}.{}", kKey, b.name, key)] =
+          number_of(fmt::format("{:.9g} {:.9g} {:.9g}", value.x(), value.y(), value.z()));
+  }
   double& keys = out[kKeys];
   const auto add = [&](const model::Value& tree, const std::string& prefix) {
     for (const auto& [key, value] : model::fixed_values(tree)) {
@@ -122,6 +132,44 @@ std::string damage(const io::Checkpoint& c) {
   for (const auto& [name, field] : c.nodes)
     for (const double value : field.values)
       if (!std::isfinite(value)) return wrong(name, value);
+  return "";
+}
+
+// True if an event of the case releases this end of a line.
+bool releases(const model::Case& c, const std::string& line, LineEnd end) {
+  return std::any_of(c.events.begin(), c.events.end(), [&](const model::Event& e) {
+    return e.action.kind == model::Action::Kind::release && e.action.line == line && e.action.line_end == end;
+  });
+}
+
+// Fault for an end of a line that the case holds at an anchor or a floating body, at another position than
+// that of the checkpoint; empty: none. Bodies with prescribed motion are excluded, since their motion may
+// differ. Collective.
+std::string moved_end(const io::Checkpoint& c, Simulation& simulation) {
+  constexpr double kRounding = 1e-6;  // m
+  const System& system = simulation.system();
+  const LocalMesh& m = simulation.local();
+  const Mesh& mesh = *m.mesh;
+  const auto& x = c.nodes.at("position").values;
+  const auto& q = c.nodes.at("rotation").values;
+  State s(m.nodes());
+  for (size_t n = 0; n < static_cast<size_t>(m.owned); ++n) {
+    s.x[n] = Eigen::Map<const Vec3>(x.data() + 3 * n);
+    s.q[n] = Quat(q[4 * n], q[4 * n + 1], q[4 * n + 2], q[4 * n + 3]);
+  }
+  system.update_ghosts(s);
+  if (c.time == 0) return "";  // points of a start shape may differ from the held ends
+  for (const TiedNode& tied : system.tied_nodes().nodes()) {
+    if (!m.owns(tied.node) || tied.body >= 0 || tied.position_mask != 7) continue;
+    if (tied.frame >= 0 && m.node(tied.frame).body < 0) continue;
+    const Vec3 held = tied.frame < 0 ? tied.at : Vec3(s.x[tied.frame] + s.q[tied.frame] * tied.at);
+    if ((held - s.x[tied.node]).norm() < kRounding) continue;
+    const int line = m.node(tied.node).line;
+    for (const LineEnd end : kLineEnds)
+      if (mesh.lines[line].end_node(end) == m.global[tied.node] &&
+          !releases(simulation.model(), mesh.line_names[line], end))
+        return advice::other_end(mesh.line_names[line], end, s.x[tied.node], held);
+  }
   return "";
 }
 
@@ -192,8 +240,17 @@ io::Checkpoint make_checkpoint(Simulation& simulation, record::Recorder& recorde
 
 namespace {
 
-InputError older(const std::string& path, const std::string& reason) {
-  return InputError(advice::cannot_continue(path, advice::other_version(path, reason)));
+// Version of hawser that wrote the file, if it is another one than this; else empty. Collective.
+std::string other_version(MPI_Comm comm, const std::string& path) {
+  std::string version;
+  on_root(comm, [&] { version = io::h5::read_text_attribute(io::h5::open_read(path), "version"); });
+  version = first_text(comm, version);
+  return version == kVersion ? "" : version;
+}
+
+InputError older(MPI_Comm comm, const std::string& path, const std::string& reason) {
+  return InputError(advice::cannot_continue(
+      path, advice::other_quantities(path, reason, other_version(comm, path), kVersion)));
 }
 
 }  // namespace
@@ -202,7 +259,7 @@ void check_records(const io::Checkpoint& c, const System& system, const std::str
   for (const auto& term : system.terms())
     if (const auto it = c.records.find(std::string(term->checkpoint_key()));
         it != c.records.end() && it->second.kinds != term->checkpoint_kinds())
-      throw older(path, it->first);
+      throw older(system.comm(), path, it->first);
 }
 
 namespace {
@@ -219,14 +276,18 @@ io::Checkpoint read_checked(const std::string& path, Simulation& simulation) {
   std::map<std::string, double> in_checkpoint = c.scalars;
   std::erase_if(in_checkpoint,
                 [](const auto& s) { return !s.first.starts_with("case.") && !s.first.starts_with(kKey); });
-  if (!c.scalars.count(kKeys)) throw older(path, "the case");
-  if (!c.scalars.count(kResolvedUntil)) throw older(path, "the impacts of its steps");
-  if (const std::string other = difference(in_checkpoint, signature(simulation)); !other.empty())
-    throw refuse(other);
+  if (!c.scalars.count(kKeys)) throw older(comm, path, "the case");
+  if (!c.scalars.count(kResolvedUntil)) throw older(comm, path, "the impacts of its steps");
+  if (const std::string other = difference(in_checkpoint, signature(simulation)); !other.empty()) {
+    const std::string version = other_version(comm, path);
+    throw refuse(version.empty() ? other : advice::other_or_version(other, path, version, kVersion));
+  }
   if (const std::string wrong = first_text(comm, damage(c)); !wrong.empty())
     throw InputError(advice::cannot_continue(path, wrong));
-  if (!c.nodes.count(kMeanQ)) throw older(path, "the mean forces of cables");
-  if (!record::has_audit(c)) throw older(path, "the energy audit");
+  if (const std::string moved = first_text(comm, moved_end(c, simulation)); !moved.empty())
+    throw refuse(moved);
+  if (!c.nodes.count(kMeanQ)) throw older(comm, path, "the mean forces of cables");
+  if (!record::has_audit(c)) throw older(comm, path, "the energy audit");
   check_records(c, simulation.system(), path);
   return c;
 }

@@ -107,6 +107,14 @@ class Places(unittest.TestCase):
                       self.hawser(farm.format(600)).stdout)
         self.assertNotIn("is it meant", self.hawser(farm.format(900)).stdout)
 
+    def test_platforms_that_overlap(self):
+        """The line of the platform ends 8 m from its origin."""
+        note = "note: farm.yaml:2: farm: bodies T1/float and T2/float are 6 m apart, and lines end up to 8 m from the origin of such a body: "
+        result = self.hawser("{of: platform.yaml, at: [[600, 0], [600, 6, 90], [600, 900]]}", "--quick")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual(result.stdout.count(note), 1, result.stdout)
+        self.assertNotIn("overlap", self.hawser("{of: platform.yaml, at: [[600, 0], [600, 9]]}", "--quick").stdout)
+
     def test_winches(self):
         """Each place has the winch and the chain of the platform alone; their notes are joined."""
         self.write("platform.yaml", PLATFORM + LINE.format("west", 0, 8) + WINCH)

@@ -55,6 +55,9 @@ class RestMessagesTest(unittest.TestCase):
                 r"give 'environment: {seabed: {depth: 200}}'"
         for text in self.texts(CHAIN):
             self.assertRegex(text, below)
+        slope = "since the case has no seabed: give a 'seabed' through its anchors, of which one is down there: 'depth' with 'slope_deg', or 'grid'"
+        for text in self.texts(CHAIN, "lines.chain.end_a.anchor[2]=-240"):
+            self.assertIn(slope, text)
         for changes in (["environment.seabed={depth: 200}"], ["lines.chain.sections[0].length=804"], ["environment.water.depth=280"]):
             for text in self.texts(CHAIN, *changes):
                 self.assertNotIn("below the bottom of the water", text)

@@ -1,10 +1,12 @@
-"""Restarts that are refused: other masses, stiffnesses and hydrodynamic files, and an end at or before the checkpoint."""
+"""Restarts that are refused: other masses, stiffnesses, positions and hydrodynamic files, another version, and an end at or before the checkpoint."""
 import os
 import shutil
 import tempfile
 import unittest
 from pathlib import Path
 
+import h5py
+import numpy as np
 from support import ROOT, run, write
 
 HAWSER = os.environ.get("HAWSER", str(ROOT / "build/hawser"))
@@ -67,6 +69,40 @@ class RestartMessages(unittest.TestCase):
         # Keys of the later part of the run.
         self.succeed("--restart", "half.h5", "-o", "rest.h5", "--set", rope + "Cd_normal=1.4", "--set", body + "damping=[1e3, 1e3, 0]",
                      "--set", "dynamics.duration=0.6", "--set", body + "loads=[{table: {rows: [[0.2, 0, 0, 0], [1, 10, 0, 0]]}}]")
+
+    def test_positions(self):
+        body = "bodies.float."
+        for key, value, name in (("position", "[1, 0, 0]", "position"), ("rotation_deg", "[0, 0, 5]", "rotation_deg"),
+                                 ("floating.hydrodynamics.place", "[1, 0, 0]", "floating.hydrodynamics.place"),
+                                 ("floating.hydrodynamics.heading_deg", "5", "floating.hydrodynamics.heading_deg")):
+            with self.subTest(key=key):
+                self.refused(f"it holds another case: {body}{name} ", "--restart", "half.h5", "-o", "rest.h5", "--set", f"{body}{key}={value}")
+        for ranks in (0, 2):
+            with self.subTest(ranks=ranks):
+                self.refused("end A of line rope is at [50, 0, -10] m in the file, and this case holds it at [51, 0, -10] m", "--restart", "half.h5",
+                             "-o", "rest.h5", "--set", "lines.rope.end_a.anchor[0]=51", ranks=ranks)
+                self.refused("it holds another case: end B of line rope is at [", "--restart", "half.h5", "-o", "rest.h5",
+                             "--set", "lines.rope.end_b.at[0]=5.1", ranks=ranks)
+
+    def test_a_released_end_is_where_it_is(self):
+        write(self.folder, "case.yaml", CASE + "events: [{release: {line: rope, end: end_a}, time: 0.1}]\n")
+        self.succeed("--stop-at", "0.2", "-o", "released.h5")
+        self.succeed("--restart", "released.h5", "-o", "rest.h5")
+
+    def test_another_version(self):
+        with h5py.File(self.folder / "half.h5", "r+") as file:
+            version = file.attrs["version"].decode()
+            del file.attrs["version"]
+            file.attrs["version"] = np.bytes_("0.0.9+1a2b3c4d")
+        change = ("--set", "bodies.float.floating.hydrodynamics.origin_in_file=[0, 0, 0]")
+        for ranks in (0, 2):
+            self.refused(f"origin_in_file is not in it; another version of hawser (0.0.9+1a2b3c4d; this is {version}) wrote it: if the case is the same, "
+                         "continue with that version, start from its last shape by 'start: {from: half.h5}', or repeat the run",
+                         "--restart", "half.h5", "-o", "rest.h5", *change, ranks=ranks)
+        self.succeed("--restart", "half.h5", "-o", "rest.h5")
+        with h5py.File(self.folder / "half.h5", "r+") as file:
+            del file.attrs["version"]
+        self.refused("origin_in_file is not in it (the case", "--restart", "half.h5", "-o", "rest.h5", *change)
 
     def test_end_at_or_before_the_checkpoint(self):
         shutil.copy(self.folder / "half.h5", self.folder / "there.h5")

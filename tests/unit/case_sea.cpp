@@ -1,6 +1,7 @@
 // Valid case files of the sea and the bed, with tables from a file or in the case.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <complex>
 #include <cstring>
 #include <filesystem>
@@ -194,6 +195,19 @@ TEST(CaseSea, SystemsOfOneSeedHaveIndependentPhases) {
         EXPECT_LT(std::abs(sum), 4 * std::sqrt(kCount)) << seed << " " << a << " " << b << " " << shift;
       }
   }
+}
+
+// The height of an anchor above a sloped bed is vertical; its distance from the bed is half of that at 60
+// deg.
+TEST(CaseSea, AnchorsAboveASlopedBed) {
+  const auto noted = [](const char* height) {
+    const model::Case c = read("{water: {depth: 100}, seabed: {depth: 100, slope_deg: 60}}", ".", height);
+    return std::count_if(c.notes.begin(), c.notes.end(), [](const std::string& n) {
+      return n.find("is 18 m above the seabed, which is at z = -100 m there") != std::string::npos;
+    });
+  };
+  EXPECT_EQ(noted("-82"), 1);
+  EXPECT_EQ(noted("-91"), 0);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <tuple>
 #include <vector>
 
+#include "hawser/model/check_drift.hpp"
 #include "support/spar_files.hpp"
 
 namespace hawser::drift_coefficients_test {
@@ -41,6 +42,8 @@ TEST_F(DriftCoefficients, SignAndSize) {
   expect("the mean drift force of the files in surge is against the waves at most frequencies", kNewman);
   write_drift(1, -1);
   expect("the mean drift force of the files in sway is against the waves at most frequencies", kNewman);
+  write_drift(-5e-3, -5e-3);  // that of a deeply submerged body
+  EXPECT_EQ(reported(kNewman), "");
   // A cube of the spar's volume has a width of 30.5 m, and a wall of this width a drift force of rho g 15.2
   // m.
   write_drift(200, 200);
@@ -51,6 +54,15 @@ TEST_F(DriftCoefficients, SignAndSize) {
             std::string::npos)
       << text;
   EXPECT_EQ(reported(), "");
+}
+
+TEST(DriftSize, SentenceNamesWamitForItsFilesOnly) {
+  const model::DriftSize size{400, 1e8, 10, 30};
+  model::BodyHydrodynamics h;
+  EXPECT_TRUE(
+      model::text_of(size, h).ends_with("divided by rho g (WAMIT), for the length scale of the case?"));
+  h.format = model::BodyHydrodynamics::Format::bemio;
+  EXPECT_TRUE(model::text_of(size, h).ends_with("are its values those divided by rho g?"));
 }
 
 // Frequencies in place of periods put nearly all waves beyond the file, whether first-order forces act or

@@ -407,5 +407,40 @@ TEST_F(FarmFiles, NotesOfManyPlacesAreOne) {
   EXPECT_EQ(with(one, "/platform.yaml: 'contact' is not used: a farm has its own"), 1);
 }
 
+// A place turns body and motion together, so that notes on the axes of a rotation are those of the file, for
+// all places in one.
+TEST_F(FarmFiles, RotationsOfBodiesAreJudgedInAxesOfTheFile) {
+  const auto notes = [&](const std::string& float_) {
+    write("ship.yaml", R"(hawser: 1
+line_types: {rope: {outer_diameter: 0.1, mass_per_length: 20, EA: 2e7, bending: false}}
+lines:
+  west:
+    sections: [{type: rope, length: 80, elements: 8}]
+    end_a: {anchor: [-60, 0, -50]}
+    end_b: {body: float, at: [-8, 0, -5]}
+bodies: {float: {)" + float_ +
+                           ", ramp: 9}}}\n");
+    const model::Case c = read(
+        "hawser: 1\nfarm: {of: ship.yaml, at: [[0, 0], [900, 0, -60], [0, 900, 90], [900, 900, 180]]}\n" +
+        kSea);
+    std::vector<std::string> out;
+    for (const std::string& n : c.notes)
+      if (n.find("turns the body") != std::string::npos) out.push_back(n);
+    return out;
+  };
+  const std::string roll = "motion: {harmonic: {rotation_amplitude_deg: [5, 0, 0], period: 10}";
+  const std::string table = "motion: {table: {rows: [[0, 0, 0, 0, 0, 0, 0], [60, 0, 0, 0, 5, 0, 0]]}";
+  for (const std::string& motion : {roll, table}) {
+    EXPECT_EQ(notes(motion), std::vector<std::string>{});
+    const std::vector<std::string> found = notes("rotation_deg: [0, 0, 90], " + motion);
+    ASSERT_EQ(found.size(), 1U) << testing::PrintToString(found);
+    EXPECT_NE(
+        found[0].find("turns the body about (1, 0, 0) in space, and that is (0, -1, 0) of its own axes"),
+        std::string::npos)
+        << found[0];
+    EXPECT_NE(found[0].find("(and so at 3 more places, T2 to T4)"), std::string::npos) << found[0];
+  }
+}
+
 }  // namespace
 }  // namespace hawser::farm_test

@@ -96,6 +96,14 @@ TEST_F(WaveDirections, DamagedRows) {
   const std::string stiffness = "3 3 314.159265\n4 4 -1264491.04\n5 5 -1264491.04\n";
   write(".hst", stiffness + "3 4");
   expect("spar.hst:4: a row of this file has 3 numbers, but this one has 2: is the file truncated?");
+  const std::string fixed_width =
+      "3 3  3.14159265E+02\n3 4  0.00000000E+00\n4 4 -1.26449104E+06\n5 5 -1.26449104E+06";
+  write(".hst", fixed_width.substr(0, fixed_width.size() - 1));
+  expect(
+      "spar.hst:4: the last row is shorter than the others and ends without a line break: is the file "
+      "truncated?");
+  write(".hst", fixed_width);
+  EXPECT_EQ(reported(), "");
   write(".hst", "3 3 314,159265\n4 4 -1264491,04\n5 5 -1264491,04\n");
   expect("spar.hst:1: its numbers have decimal commas: give them decimal points");
   write(".hst", "\xff\xfe" + stiffness);

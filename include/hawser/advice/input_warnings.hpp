@@ -68,6 +68,8 @@ void warn_of_platforms(const model::Case& c, std::vector<InputWarning>& out);
 // A part of it: coefficients of a body that are implausible by themselves, for the body's size or by their
 // limits in long waves; they detect other conventions and units.
 void warn_of_hydrodynamics(const model::Case& c, const model::Body& b, std::vector<InputWarning>& out);
+// Platforms of a farm that overlap.
+void warn_of_farms(const model::Case& c, std::vector<InputWarning>& out);
 // Water and bed depths, implausible soil, ends far from the bed, and currents that displace lines on the bed
 // or would change the waves.
 void warn_of_sea(const model::Case& c, std::vector<InputWarning>& out);

@@ -5,7 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "hawser/math/types.hpp"
 #include "hawser/model/event.hpp"
+#include "hawser/model/line_end.hpp"
 
 namespace hawser::advice {
 
@@ -16,8 +18,13 @@ std::string not_readable();
 std::string not_hdf5();
 std::string not_results();
 std::string damaged_checkpoint(const std::string& quantity, double value);
-// kept: quantities that that version stored differently.
-std::string other_version(const std::string& file, const std::string& kept);
+// kept: quantities that the version of hawser that wrote the file stored differently; version: its name,
+// empty: unknown; here: name of this one.
+std::string other_quantities(const std::string& file, const std::string& kept, const std::string& version,
+                             const std::string& here);
+// difference: one of the clauses below, which another version may have caused.
+std::string other_or_version(const std::string& difference, const std::string& file,
+                             const std::string& version, const std::string& here);
 
 // For a different case; difference: one of the clauses below.
 std::string other_case(const std::string& difference);
@@ -25,6 +32,8 @@ std::string other_number_of_lines(size_t in_checkpoint, size_t in_case);
 std::string other_line(size_t place, const std::string& in_checkpoint, const std::string& in_case);
 std::string other_number_of_nodes(const std::string& line, double in_checkpoint, int in_case);
 std::string other_node(const std::string& line, double in_checkpoint, double in_case);  // m, of arc length
+// Positions [m] of an end that an anchor or a floating body holds, in space.
+std::string other_end(const std::string& line, LineEnd end, const Vec3& in_checkpoint, const Vec3& in_case);
 std::string other_beams();
 std::string other_volumes();
 enum class KeyDiffers { missing_in_checkpoint, missing_in_case, other_value };

@@ -23,8 +23,10 @@ struct OnBed {
 // One line, or several with the same description and the ranges of their values.
 std::string lie_on_bed(const std::vector<std::string>& lines, const std::vector<OnBed>& values);
 std::string more_lines_on_bed(size_t lines);
-// Lines of a case without a seabed, up to `below` [m] deeper than the depth of the water [m].
-std::string lie_below_water(const std::vector<std::string>& lines, double below, double depth);
+// Lines of a case without a seabed, up to `below` [m] deeper than the depth of the water [m]; with_anchor:
+// one of their anchors is, too.
+std::string lie_below_water(const std::vector<std::string>& lines, double below, double depth,
+                            bool with_anchor);
 // A body with weight that only friction on other bodies would hold.
 std::string held_without_weight(const std::string& body);
 // Unstable equilibria that statics left; number of negative eigenvalues of the one found.

@@ -67,6 +67,8 @@ void int_attribute(hid_t object, const std::string& name, int value);
 
 std::string read_text(hid_t file, const std::string& name);
 std::vector<std::string> read_texts(hid_t file, const std::string& name);
+// Value of an attribute written by text_attribute; empty: there is none.
+std::string read_text_attribute(hid_t object, const std::string& name);
 
 // A numeric dataset as doubles, row by row.
 struct Array {

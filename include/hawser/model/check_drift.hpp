@@ -18,9 +18,11 @@ struct DriftSize {
   // A body at resonance may reflect waves of more than its width.
   bool is_noted() const { return times > 10; }
   bool is_refused() const { return times > 300; }
+  // At less it is that of a deeply submerged body, whose direction is rounding.
+  bool has_direction() const { return times > 1e-3; }
 };
 DriftSize drift_size(const Case& c, const Body& b);
-std::string text_of(const DriftSize& size);
+std::string text_of(const DriftSize& size, const BodyHydrodynamics& h);
 
 // Freedom (surge: 0, sway: 1) in which the mean drift force is against the waves at most frequencies; none:
 // neither. A body at rest takes momentum from the waves that it scatters (Maruo 1960).
