@@ -103,17 +103,18 @@ Vec3 direction_of_free_end(const model::Case& c, const model::Line& line, const 
   return Vec3::UnitX();
 }
 
+bool all_act(const std::vector<CatenarySection>& sections, double sign) {
+  return std::all_of(sections.begin(), sections.end(), [sign](const CatenarySection& k) {
+    return sign * k.load.z() > 0 && sign * k.end_load.z() >= 0;
+  });
+}
+
 std::optional<std::vector<Vec3>> laid_free_end(const model::Case& c, const model::Line& line,
                                                const HeldEnd& end, std::vector<CatenarySection> sections,
                                                const std::vector<double>& arc) {
-  const auto all = [&](double sign) {
-    return std::all_of(sections.begin(), sections.end(), [sign](const CatenarySection& k) {
-      return sign * k.load.z() > 0 && sign * k.end_load.z() >= 0;
-    });
-  };
   const model::Water& water = c.environment.water;
-  const bool floats = water.present && all(1);
-  if (!floats && !(c.environment.seabed.present && all(-1))) return {};
+  const bool floats = water.present && all_act(sections, 1);
+  if (!floats && !(c.environment.seabed.present && all_act(sections, -1))) return {};
   const Ground ground(c.environment, floats);
   const Vec3 direction = direction_of_free_end(c, line, end, floats);
   const double height = end.at.z() - ground.under(end.at).z();

@@ -11,6 +11,9 @@
 
 namespace hawser {
 
+// True if the loads of all sections are directed up (sign 1) or down (sign -1).
+bool all_act(const std::vector<CatenarySection>& sections, double sign);
+
 // The held end of such a line.
 struct HeldEnd {
   Vec3 at = Vec3::Zero();         // m

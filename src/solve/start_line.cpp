@@ -185,13 +185,8 @@ LineStart through(std::vector<Vec3> x) {
 bool lies_slack(const model::Case& c, const std::vector<CatenarySection>& sections, const LineStart& s,
                 double length, bool& floats) {
   const model::Seabed& bed = c.environment.seabed;
-  const auto all = [&](double sign) {
-    return std::all_of(sections.begin(), sections.end(), [sign](const CatenarySection& k) {
-      return sign * k.load.z() > 0 && sign * k.end_load.z() >= 0;
-    });
-  };
-  floats = c.environment.water.present && all(1);
-  if (!floats && (!bed.present || bed.surface || !all(-1))) return false;
+  floats = c.environment.water.present && all_act(sections, 1);
+  if (!floats && (!bed.present || bed.surface || !all_act(sections, -1))) return false;
   const auto off = [&](const Vec3& x) {
     return std::abs(floats ? x.z() - c.environment.water.surface : model::height_above_bed(bed, x));
   };
