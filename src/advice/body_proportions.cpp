@@ -8,7 +8,6 @@
 #include "hawser/advice/input_warnings.hpp"
 #include "hawser/base/count_of.hpp"
 #include "hawser/math/so3.hpp"
-#include "hawser/model/body_motion.hpp"
 #include "unit_hint.hpp"
 
 namespace hawser::advice {

@@ -3,7 +3,6 @@
 #include "hawser/geometry/closest_point.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "hawser/geometry/extended_precision.hpp"
 #include "hawser/math/triple.hpp"

@@ -1,7 +1,6 @@
 // Planar regions of a mesh, grown from triangle to triangle, and their smallest width.
 #include "planar_regions.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 

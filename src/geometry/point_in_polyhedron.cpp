@@ -2,7 +2,6 @@
 // convexity.
 #include "hawser/geometry/point_in_polyhedron.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "hawser/geometry/closest_point.hpp"

@@ -1,6 +1,5 @@
 // A rotated box: distance and its derivatives.
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 
 #include "hawser/geometry/primitives.hpp"

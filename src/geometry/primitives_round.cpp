@@ -1,5 +1,4 @@
 // Sphere, capsule, torus: distance and its derivatives.
-#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 

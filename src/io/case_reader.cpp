@@ -94,18 +94,6 @@ Case read_document(std::string text, const std::string& path, const ReadProgress
   return read_tree(std::move(c), {}, comm);
 }
 
-Case read_changed(std::string text, const std::string& path, const ReadProgress& read_progress, MPI_Comm comm,
-                  const CaseChanges& changes) {
-  try {
-    return read_document(std::move(text), path, read_progress, comm, changes);
-  } catch (const InputError& e) {
-    // The fault may be on another line than the change.
-    const std::string why = e.what();
-    if (changes.empty() || why.find("--set") != std::string::npos) throw;
-    throw InputError("{} (the case is changed by --set {})", why, fmt::join(changes, " --set "));
-  }
-}
-
 }  // namespace
 
 // Platforms come first because objects of the file itself may be attached to them. Entries of bodies and
@@ -166,16 +154,23 @@ model::Case with_lengths(const Case& c, const SectionLengths& lengths, MPI_Comm 
   return read_tree(c, lengths, comm);
 }
 
-model::Case read_case_text(const std::string& text, const std::string& path,
-                           const ReadProgress& read_progress, MPI_Comm comm, const CaseChanges& changes) {
-  return read_changed(text, path, read_progress, comm, changes);
+model::Case read_case_text(std::string text, const std::string& path, const ReadProgress& read_progress,
+                           MPI_Comm comm, const CaseChanges& changes) {
+  try {
+    return read_document(std::move(text), path, read_progress, comm, changes);
+  } catch (const InputError& e) {
+    // The fault may be on another line than the change.
+    const std::string why = e.what();
+    if (changes.empty() || why.find("--set") != std::string::npos) throw;
+    throw InputError("{} (the case is changed by --set {})", why, fmt::join(changes, " --set "));
+  }
 }
 
 model::Case read_case(const std::string& path, const ReadProgress& read_progress, MPI_Comm comm,
                       const CaseChanges& changes) {
   auto [text, fault] = case_text(path);
   if (!fault.empty()) model::fail(path, fault == kEmpty ? 1 : 0, "", fault);
-  return read_changed(std::move(text), path, read_progress, comm, changes);
+  return read_case_text(std::move(text), path, read_progress, comm, changes);
 }
 
 }  // namespace hawser::io

@@ -12,7 +12,6 @@
 #include "hawser/io/hydrodynamic_files.hpp"
 #include "hawser/model/body_motion.hpp"
 #include "hawser/model/mass_matrix.hpp"
-#include "hawser/model/wave_components.hpp"
 
 namespace hawser::io {
 

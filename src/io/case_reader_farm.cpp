@@ -8,7 +8,6 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
-#include <set>
 
 #include "hawser/advice/farms.hpp"
 #include "hawser/io/case_changes.hpp"

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hawser/io/case_values.hpp"
 #include "hawser/math/angle_gap.hpp"
 #include "hawser/math/degree.hpp"
 

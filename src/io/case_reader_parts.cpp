@@ -11,7 +11,6 @@
 #include <string_view>
 
 #include "hawser/advice/motion_tables.hpp"
-#include "hawser/base/error.hpp"
 #include "hawser/io/input_file.hpp"
 #include "hawser/model/increasing.hpp"
 #include "hawser/model/nearest.hpp"

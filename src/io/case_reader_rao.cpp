@@ -7,10 +7,8 @@
 
 #include "hawser/advice/input_warnings.hpp"
 #include "hawser/advice/rao_tables.hpp"
-#include "hawser/io/case_values.hpp"
 #include "hawser/kernels/rao.hpp"
 #include "hawser/math/degree.hpp"
-#include "hawser/math/so3.hpp"
 #include "hawser/model/body_motion.hpp"
 #include "hawser/model/wave_components.hpp"
 

@@ -3,7 +3,6 @@
 
 #include <set>
 
-#include "hawser/io/case_values.hpp"
 #include "hawser/math/ordered.hpp"
 #include "hawser/model/nearest.hpp"
 

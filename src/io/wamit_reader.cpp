@@ -34,8 +34,8 @@ int mode_of(const NumberTable& table, const NumberRow& row, size_t column, int m
 }
 
 // False for WAMIT's periods 0 (infinite frequency) and -1 (zero frequency); refuses other negative periods.
-bool is_wave(const NumberTable& table, const NumberRow& row, size_t column) {
-  const double period = row.values[column];
+bool is_wave(const NumberTable& table, const NumberRow& row) {
+  const double period = row.values[0];
   if (period < 0 && period != -1)
     refuse(
         table, row,
@@ -162,7 +162,7 @@ void read_radiation(const std::string& stem, const HydrodynamicForm& form, std::
       data.infinite(i, j) = added;
       at_infinity(i, j) = 1;
     }
-    const bool wave = is_wave(table, row, 0);
+    const bool wave = is_wave(table, row);
     if (period < 0) {
       if (zero_frequency.size() == 0) zero_frequency = none;
       zero_frequency(i, j) = added;
@@ -277,7 +277,7 @@ void read_excitation(const std::string& stem, const HydrodynamicForm& form, std:
   WaveForceRows rows(data.bodies, form.mirrored);
   const std::vector<double> largest = largest_by_mode(table, 2, 3);
   for (const NumberRow& row : table.rows) {
-    if (!is_wave(table, row, 0)) continue;
+    if (!is_wave(table, row)) continue;
     const int mode = mode_of(table, row, 2, 6 * data.bodies);
     check_parts(table, row, 3, largest[static_cast<size_t>(mode + 1)]);
     const double scale = form.density * form.gravity * std::pow(form.length, 2 + rotates(mode));
@@ -299,7 +299,7 @@ bool read_drift(const std::string& stem, const char* ending, const HydrodynamicF
   bool heave = false;
   for (const NumberRow& row : table.rows) {
     if (row.values[0] != row.values[periods - 1] || row.values[periods] != row.values[periods + 1]) continue;
-    if (!is_wave(table, row, 0) || row.values[mode_at] < 0) continue;
+    if (!is_wave(table, row) || row.values[mode_at] < 0) continue;
     const int mode = mode_of(table, row, mode_at, 6 * data.bodies);
     check_parts(table, row, mode_at + 1, largest[static_cast<size_t>(mode + 1)]);
     heave = heave || mode % 6 == 2;

@@ -12,7 +12,6 @@
 #include <string_view>
 #include <utility>
 
-#include "hawser/base/error.hpp"
 #include "hawser/model/packed_value.hpp"
 #include "hawser/model/schema.hpp"
 #include "yaml_faults.hpp"

@@ -1,8 +1,6 @@
 // Water pressure on the wetted part of a triangulated surface, with exact tangent and potential.
 #include "hawser/kernels/hull_pressure.hpp"
 
-#include <algorithm>
-
 #include "hawser/math/so3.hpp"
 
 namespace hawser {

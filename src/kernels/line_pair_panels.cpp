@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hawser/math/so3.hpp"
 #include "line_pair_point.hpp"
 
 namespace hawser {

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <numeric>
 #include <stdexcept>
-#include <tuple>
 #include <utility>
 
 #include "hawser/math/last_not_after.hpp"

@@ -3,7 +3,6 @@
 #include "hawser/model/case.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 #include <set>
 #include <stdexcept>

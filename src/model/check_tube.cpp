@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 #include "hawser/base/count_of.hpp"
 #include "hawser/geometry/primitives.hpp"

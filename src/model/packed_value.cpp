@@ -2,7 +2,6 @@
 // of its items with the items, of a map each after its key.
 #include "hawser/model/packed_value.hpp"
 
-#include <string>
 #include <utility>
 
 #include "hawser/base/packed_bytes.hpp"

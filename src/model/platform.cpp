@@ -1,12 +1,10 @@
 // Hydrostatics of a platform, and groups of bodies that interact by radiation.
 #include "hawser/model/platform.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <map>
 #include <string>
 #include <tuple>
-#include <utility>
 
 #include "hawser/model/case.hpp"
 #include "hawser/model/waterplane.hpp"

@@ -11,7 +11,6 @@
 
 #include "hawser/base/mpi.hpp"
 #include "hawser/kernels/contact_intervals.hpp"
-#include "hawser/mesh/arc.hpp"
 
 namespace hawser::record {
 namespace {

@@ -13,7 +13,7 @@
 namespace hawser::record {
 
 EnergyAudit::EnergyAudit(const Subject& subject, NodeFields& fields)
-    : subject_(subject), fields_(fields), feeders_(subject.system.with<FeedsLines>()) {}
+    : subject_(subject), fields_(fields), feeders_(subject.term<Feeders>()) {}
 
 void EnergyAudit::declare(Declarations& to) {
   io::ResultSeries energy{"energy", {}};
@@ -32,7 +32,7 @@ void EnergyAudit::step(const Snapshot& s) {
   const Energy now = sum_of(subject_.comm(), local);
   if (s.step.h == 0) start_ = now;
   double passed = 0;
-  for (const FeedsLines* f : feeders_) passed += f->passed_through(s.end_forces.at_feeders(), s.step.h);
+  if (feeders_) passed += feeders_->passed_through(s.end_forces.at_feeders(), s.step.h);
   if (audit_.update(start_, now, s.step.time, s.step.h, passed) && s.step.h > 0) find_worst(s);
 }
 

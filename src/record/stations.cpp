@@ -2,7 +2,6 @@
 #include "hawser/record/stations.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <ranges>
 #include <utility>
 

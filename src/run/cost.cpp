@@ -6,12 +6,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <system_error>
-#include <utility>
 #include <vector>
 
 #include "hawser/advice/cost.hpp"

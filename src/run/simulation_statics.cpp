@@ -1,5 +1,4 @@
 // The class Simulation: static equilibrium, its friction and restraints, and its report.
-#include <algorithm>
 #include <utility>
 
 #include "hawser/advice/statics.hpp"

@@ -16,7 +16,6 @@
 #include "hawser/math/degree.hpp"
 #include "hawser/math/so3.hpp"
 #include "hawser/model/check.hpp"
-#include "hawser/model/nearest.hpp"
 #include "hawser/run/events.hpp"
 #include "hawser/run/held_bodies.hpp"
 #include "hawser/run/hull_check.hpp"

@@ -9,7 +9,6 @@
 
 #include "hawser/advice/steps.hpp"
 #include "hawser/base/error.hpp"
-#include "hawser/system/imbalance.hpp"
 
 namespace hawser {
 

@@ -1,8 +1,6 @@
 // The class Dynamics: continuation of the motion after a feeder has released or absorbed a node.
 #include <Eigen/LU>
-#include <cmath>
 
-#include "hawser/base/error.hpp"
 #include "hawser/base/mpi.hpp"
 #include "hawser/math/so3.hpp"
 #include "hawser/solve/dynamics.hpp"

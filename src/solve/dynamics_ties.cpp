@@ -1,7 +1,6 @@
 // The class Dynamics: continuation of the motion with other nodes tied, after ends were released or attached
 // (docs/theory/events.md).
 #include <algorithm>
-#include <cmath>
 
 #include "hawser/base/mpi.hpp"
 #include "hawser/solve/dynamics.hpp"

@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hawser/base/error.hpp"
-
 namespace hawser {
 namespace {
 

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include "hawser/base/error.hpp"
-
 namespace hawser {
 namespace {
 

@@ -19,14 +19,14 @@ MatHandle tangent_at_rest(System& system, const Kinematics& state, const Weights
 
 namespace {
 
-// Sets the diagonal of held components, which is 1 in a tangent.
-void set_held(const System& system, Mat A, double value) {
+// Sets the diagonal of held components, which is 1 in a tangent, to zero.
+void clear_held(const System& system, Mat A) {
   const auto& is_held = system.tied_nodes().held();
   for (int b = 0; b < system.mesh().owned_blocks; ++b)
     for (int c = 0; c < 3; ++c) {
       if (!(is_held[b] >> c & 1)) continue;
       const PetscInt row = 3 * system.mesh().global_block[b] + c;
-      check(MatSetValue(A, row, row, value, INSERT_VALUES));
+      check(MatSetValue(A, row, row, 0, INSERT_VALUES));
     }
   check(MatAssemblyBegin(A, MAT_FINAL_ASSEMBLY));
   check(MatAssemblyEnd(A, MAT_FINAL_ASSEMBLY));
@@ -95,14 +95,14 @@ StiffnessAtRest stiffness_at_rest(System& system, const Kinematics& state) {
 
 MatHandle mass_at_rest(System& system, const Kinematics& state) {
   MatHandle M = symmetric_part(tangent_at_rest(system, state, {0, 0, 1}).get());
-  set_held(system, M.get(), 0);
+  clear_held(system, M.get());
   return M;
 }
 
 MatHandle damping_at_rest(System& system, const Kinematics& state) {
   MatHandle C;
   check(MatConvert(tangent_at_rest(system, state, {0, 1, 0}).get(), MATAIJ, MAT_INITIAL_MATRIX, C.out()));
-  set_held(system, C.get(), 0);
+  clear_held(system, C.get());
   return C;
 }
 

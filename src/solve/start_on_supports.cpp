@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "hawser/advice/start_shape.hpp"
-#include "hawser/base/error.hpp"
 #include "hawser/model/bed.hpp"
 #include "hawser/model/check.hpp"
 

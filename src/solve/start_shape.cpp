@@ -11,7 +11,6 @@
 #include <utility>
 
 #include "hawser/advice/start_shape.hpp"
-#include "hawser/base/error.hpp"
 #include "hawser/base/mpi.hpp"
 #include "hawser/math/so3.hpp"
 #include "hawser/model/bed.hpp"

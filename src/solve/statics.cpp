@@ -8,8 +8,6 @@
 //           relax_with_friction
 #include "hawser/solve/statics.hpp"
 
-#include <cmath>
-
 #include "hawser/advice/statics.hpp"
 #include "hawser/advice/steps.hpp"
 #include "hawser/base/error.hpp"

@@ -2,7 +2,6 @@
 // forces between two of them (links, end springs). Ends of lines on bodies are in system/tied_nodes.hpp.
 #include "hawser/terms/between_points.hpp"
 
-#include <algorithm>
 #include <array>
 
 #include "hawser/kernels/stencil.hpp"

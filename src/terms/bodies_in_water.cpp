@@ -166,7 +166,7 @@ void BodiesInWater::evaluate(const Kinematics& trial, Assembler& assembler) {
   const bool tangent = assembler.needs_tangent();
   BodyWaterResidual r;
   for (const Wet& b : list_) {
-    if (idle(b)) continue;
+    if (is_held(b.static_rest)) continue;
     const RigidBodyState s = body_state(b, trial);
     const Places at = places(b, s);
     body_water(b.data, s, water(b, trial, at.centre, &Wet::centre), water(b, trial, at.drag, &Wet::drag),
@@ -202,7 +202,7 @@ Energy BodiesInWater::energy(const Kinematics& state) const {
   for (const Wet& b : list_) {
     e.work += b.work;
     e.by_water += b.work;
-    if (idle(b)) continue;
+    if (is_held(b.static_rest)) continue;
     e.potential += body_water_potential(b.data, body_state(b, state), sea_.surface);
     if (!state.moves() && b.flowed) e.potential -= work(b.flow, flow(b, state));
   }

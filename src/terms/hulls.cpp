@@ -126,7 +126,7 @@ void Hulls::prepare(const Kinematics& from, double) {
 
 void Hulls::evaluate(const Kinematics& trial, Assembler& assembler) {
   for (const Hull& hull : list_) {
-    if (idle(hull)) continue;
+    if (is_held(hull.static_rest)) continue;
     const HullPressure p = pressure(hull, trial, true, assembler.needs_tangent());
     const int blocks[2] = {hull.block, hull.block + 1};
     assembler.add(blocks, p.f, p.K);
@@ -151,7 +151,7 @@ Energy Hulls::energy(const Kinematics& state) const {
   for (const Hull& hull : list_) {
     e.work += hull.work;
     e.by_water += hull.work;
-    if (!idle(hull)) e.potential += forces(hull, state).still_water.potential;
+    if (!is_held(hull.static_rest)) e.potential += forces(hull, state).still_water.potential;
   }
   return e;
 }

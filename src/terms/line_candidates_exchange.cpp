@@ -2,7 +2,6 @@
 // few bounding regions of their elements. Ranks with overlapping regions exchange bounding boxes of chunks of
 // elements, then the elements near such a chunk.
 #include <algorithm>
-#include <array>
 
 #include "hawser/base/mpi.hpp"
 #include "hawser/geometry/box_tree.hpp"

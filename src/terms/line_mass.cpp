@@ -12,9 +12,18 @@
 namespace hawser {
 namespace {
 
-MassEnds ends(const LineMass::MassElement& p, const Kinematics& k) {
+double load_work(const LineMass::MassElement& p, const Kinematics& k, const Vec3& load) {
   const size_t i = p.element.first;
   const size_t j = p.element.second;
+  if (p.beam) return beam_load_work(p.section, k.x[i], k.q[i], k.x[j], k.q[j], load);
+  return 0.5 * p.section.length * load.dot(k.x[i] + k.x[j]);
+}
+
+}  // namespace
+
+MassEnds mass_ends(const LocalElement& e, const Kinematics& k) {
+  const size_t i = e.first;
+  const size_t j = e.second;
   const bool given = !k.directors.empty();
   return {k.a[i],
           k.a[j],
@@ -30,15 +39,6 @@ MassEnds ends(const LineMass::MassElement& p, const Kinematics& k) {
           given ? &k.directors[j] : nullptr,
           k.director_weight};
 }
-
-double load_work(const LineMass::MassElement& p, const Kinematics& k, const Vec3& load) {
-  const size_t i = p.element.first;
-  const size_t j = p.element.second;
-  if (p.beam) return beam_load_work(p.section, k.x[i], k.q[i], k.x[j], k.q[j], load);
-  return 0.5 * p.section.length * load.dot(k.x[i] + k.x[j]);
-}
-
-}  // namespace
 
 LineMass::LineMass(const LocalMesh& mesh, std::vector<MassElement> pieces, std::vector<Load> ramped)
     : mesh_(mesh), pieces_(std::move(pieces)), ramped_(std::move(ramped)) {}
@@ -105,11 +105,11 @@ void LineMass::evaluate(const Kinematics& trial, Assembler& assembler) {
     } else if (assembler.needs_tangent()) {
       Vec12 f;
       Mat12 K, C, M;
-      beam_mass_tangent(p.section, ends(p, trial), w, f, K, C, M);
+      beam_mass_tangent(p.section, mass_ends(p.element, trial), w, f, K, C, M);
       assembler.add(blocks, f, K, C, M);
     } else {
       Vec12 f;
-      beam_mass_force(p.section, ends(p, trial), w, f);
+      beam_mass_force(p.section, mass_ends(p.element, trial), w, f);
       assembler.add(blocks, f);
     }
   }
@@ -120,7 +120,7 @@ void LineMass::element_force(const Kinematics& state, const LocalElement& e, Vec
   if (!p || p->idle) return;
   if (p->beam) {
     Vec12 force;
-    beam_mass_force(p->section, ends(*p, state), load(*p, state.time), force);
+    beam_mass_force(p->section, mass_ends(p->element, state), load(*p, state.time), force);
     add_ends(force, f);
   } else {
     Vec6 force;
@@ -196,7 +196,7 @@ Energy LineMass::energy(const Kinematics& state) const {
     if (!p.element.counted || p.idle) continue;
     const size_t i = p.element.first;
     const size_t j = p.element.second;
-    e.kinetic += p.beam ? beam_kinetic_energy(p.section, ends(p, state))
+    e.kinetic += p.beam ? beam_kinetic_energy(p.section, mass_ends(p.element, state))
                         : cable_kinetic_energy(p.section, state.v[i], state.v[j]);
     e.potential -= load_work(p, state, p.load);
     // In statics a ramped load is constant too; in dynamics its work is accumulated.

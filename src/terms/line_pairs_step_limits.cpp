@@ -5,7 +5,6 @@
 
 #include "hawser/kernels/axis_approach.hpp"
 #include "hawser/math/ordered.hpp"
-#include "hawser/mesh/arc.hpp"
 #include "hawser/terms/line_pairs.hpp"
 
 namespace hawser {

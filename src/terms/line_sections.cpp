@@ -1,7 +1,6 @@
 // Sections of beams and cables.
 #include "hawser/terms/line_sections.hpp"
 
-#include "hawser/mesh/arc.hpp"
 #include "hawser/model/case.hpp"
 
 namespace hawser {

@@ -3,7 +3,6 @@
 #include "hawser/terms/line_volume_finder.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace hawser {

@@ -4,7 +4,6 @@
 #include <limits>
 #include <stdexcept>
 
-#include "hawser/mesh/arc.hpp"
 #include "hawser/terms/element_axis.hpp"
 #include "hawser/terms/line_volume_contact.hpp"
 

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "hawser/terms/force_round_off.hpp"
+#include "hawser/terms/line_mass.hpp"
 
 namespace hawser {
 
@@ -51,23 +52,7 @@ WaterEnds LinesInWater::ends(const WetElement& p, const Kinematics& k, const Wat
   e.x2 = k.x[j];
   e.water1 = first;
   e.water2 = second;
-  MassEnds& m = e.motion;
-  m.a1 = k.a[i];
-  m.a2 = k.a[j];
-  m.v1 = k.v[i];
-  m.v2 = k.v[j];
-  if (!p.beam) return e;
-  m.q1 = k.q[i];
-  m.q2 = k.q[j];
-  m.w1 = k.w[i];
-  m.w2 = k.w[j];
-  m.alpha1 = k.alpha[i];
-  m.alpha2 = k.alpha[j];
-  if (!k.directors.empty()) {
-    m.directors1 = &k.directors[i];
-    m.directors2 = &k.directors[j];
-  }
-  m.director_weight = k.director_weight;
+  e.motion = p.beam ? mass_ends(p.element, k) : MassEnds{k.a[i], k.a[j], k.v[i], k.v[j]};
   return e;
 }
 

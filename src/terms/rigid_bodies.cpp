@@ -3,18 +3,15 @@
 // kernels/rigid_body.cpp. Ends of lines tied to a body are in system/tied_nodes.hpp.
 #include "hawser/terms/rigid_bodies.hpp"
 
-#include <algorithm>
-
 #include "hawser/kernels/spring_matrices.hpp"
 #include "hawser/math/broken_line.hpp"
-#include "hawser/math/so3.hpp"
 #include "hawser/terms/force_round_off.hpp"
 
 namespace hawser {
 
 RigidBodyData RigidBodies::data(const Floating& f) const {
   RigidBodyData d = f.data;
-  for (int i = 0; i < 3 && hold_ && !f.static_rest.is_computed(friction_); ++i) {
+  for (int i = 0; i < 3 && is_held(f.static_rest); ++i) {
     if (!(d.stiffness[i] > 0)) {
       d.stiffness[i] = d.mass;
       d.weight[i] = 0;
@@ -142,11 +139,11 @@ void RigidBodies::evaluate(const Kinematics& trial, Assembler& assembler) {
   for (const Floating& f : list_) {
     const RigidBodyState s = floating_state(trial, f.node);
     RigidBodyResidual r = residual(f, s, trial, by_momenta(trial));
-    if (!hold_ || f.static_rest.is_computed(friction_))
+    if (!is_held(f.static_rest))
       for (const Load& l : f.loads) add_load(l.at(trial.time), s, r);
     const int blocks[2] = {f.block, f.block + 1};
     assembler.add(blocks, r.inertia, r.K, r.C, r.M);
-    if (hold_ && f.static_rest.is_computed(friction_) && assembler.needs_tangent()) {
+    if (in_statics() && !is_held(f.static_rest) && assembler.needs_tangent()) {
       Mat6 K = Mat6::Zero();
       K.topLeftCorner<3, 3>() = kDrift * kDrift * f.data.mass * Mat3::Identity();
       K.bottomRightCorner<3, 3>() = kDrift * kDrift * f.data.inertia;
@@ -196,7 +193,7 @@ Energy RigidBodies::energy(const Kinematics& state) const {
       const RigidBodyLoad l = load.at(state.time);
       if (l.constant) e.potential += load_potential(l, s);
       // Statics needs a potential: that of the forces at the last iteration. In motion they do work.
-      if (hold_) e.potential -= load_work(l, f.start, s);
+      if (in_statics()) e.potential -= load_work(l, f.start, s);
     }
     e.damping += f.damping;
     e.work += f.work;

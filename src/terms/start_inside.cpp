@@ -6,7 +6,6 @@
 #include <cmath>
 #include <tuple>
 
-#include "hawser/mesh/arc.hpp"
 #include "hawser/terms/axis_distance.hpp"
 #include "hawser/terms/element_axis.hpp"
 #include "hawser/terms/feeders.hpp"

@@ -2,7 +2,6 @@
 #include "hawser/terms/static_rest.hpp"
 
 #include <algorithm>
-#include <vector>
 
 #include "hawser/model/body_pairs.hpp"
 #include "hawser/model/check.hpp"

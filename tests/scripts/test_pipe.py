@@ -15,7 +15,7 @@ from synthetic import results_file
 
 sys.path.insert(0, str(ROOT / "scripts"))
 from hawser_post import lay, lay_rig, lay_search, laying, pipe_checks, pipe_tables, stations  # noqa: E402
-from hawser_post.results import Refusal, Results  # noqa: E402
+from hawser_post.results import Results  # noqa: E402
 
 HAWSER = os.environ.get("HAWSER", str(ROOT / "build/hawser"))
 

@@ -6,7 +6,6 @@ import tempfile
 import unittest
 from pathlib import Path
 
-import h5py
 import numpy as np
 
 from support import ROOT, run

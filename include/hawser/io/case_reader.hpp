@@ -34,9 +34,8 @@ model::Case read_case(const std::string& path, const ReadProgress& read_progress
                       MPI_Comm comm = MPI_COMM_SELF, const CaseChanges& changes = {});
 
 // The same for text in memory; `path` names the file and gives the directory of relative paths.
-model::Case read_case_text(const std::string& text, const std::string& path,
-                           const ReadProgress& read_progress = {}, MPI_Comm comm = MPI_COMM_SELF,
-                           const CaseChanges& changes = {});
+model::Case read_case_text(std::string text, const std::string& path, const ReadProgress& read_progress = {},
+                           MPI_Comm comm = MPI_COMM_SELF, const CaseChanges& changes = {});
 
 // Unstretched lengths of sections [m] by dotted key, "lines.hose.sections[0]".
 using SectionLengths = std::map<std::string, double>;

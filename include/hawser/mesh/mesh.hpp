@@ -49,6 +49,13 @@ struct Mesh : MeshTable {
   void shrink_to_fit();
 };
 
+// Unstretched arc length from end A, m; xi in [0, 1] along the element.
+inline double arc_at(const Mesh& mesh, const Element& e, double xi) {
+  const double a = mesh.node(e.first).arc;
+  const double b = mesh.node(e.second).arc;
+  return a + xi * (b - a);
+}
+
 // The largest of positive values by line type over the types of each line; 0 without elements.
 Runs<double> largest_of_types(const Mesh& mesh, const std::vector<double>& values);
 

@@ -7,7 +7,7 @@
 #include "hawser/record/audit.hpp"
 #include "hawser/record/recording.hpp"
 #include "hawser/record/subject.hpp"
-#include "hawser/terms/run_roles.hpp"
+#include "hawser/terms/feeders.hpp"
 
 namespace hawser::record {
 
@@ -32,7 +32,7 @@ class EnergyAudit : public Recording {
 
   const Subject& subject_;
   NodeFields& fields_;
-  const std::vector<FeedsLines*> feeders_;
+  const Feeders* feeders_;  // null: no line is fed
   Audit audit_;
   Energy start_;  // energies at the original start, before all restarts
 };

@@ -16,6 +16,7 @@ namespace hawser {
 
 Wind wind_of(const model::Case& c);
 
+// In statics the flow does not act on bodies that are held where they start.
 class BodiesInFlow final : public ForceTerm,
                            public AppliesExternalLoad,
                            public RestrainedInStatics,
@@ -25,11 +26,6 @@ class BodiesInFlow final : public ForceTerm,
   // Builds the term for the bodies of the case that this rank owns.
   BodiesInFlow(const model::Case& c, const LocalMesh& mesh);
 
-  // In statics the flow does not act on bodies that are held where they start (RigidBodies::hold).
-  void hold(bool on, bool friction) override {
-    hold_ = on;
-    friction_ = friction;
-  }
   void scale_current(double factor) override { sea_.current_scale = factor; }
 
   std::vector<std::string> load_components(int body) const override;
@@ -66,13 +62,11 @@ class BodiesInFlow final : public ForceTerm,
   FlowVelocity velocity(const Flow& f, const Kinematics& state, const RigidBodyState& s) const;
   Push push(const Flow& f, const Kinematics& state) const;
   static double work(const Push& from, const Push& to);
-  bool idle(const Flow& f) const { return hold_ && !f.static_rest.is_computed(friction_); }
 
   Sea sea_;
   Wind wind_;
   std::vector<std::vector<std::string>> load_components_;  // by body of the case
   std::vector<Flow> list_;
-  bool hold_ = false, friction_ = false;
 };
 
 }  // namespace hawser

@@ -18,6 +18,7 @@ struct Body;
 struct BodyMember;
 }  // namespace model
 
+// In statics the water does not act on bodies that are held where they start.
 class BodiesInWater final : public ForceTerm,
                             public AppliesExternalLoad,
                             public ScalesResiduals,
@@ -28,11 +29,6 @@ class BodiesInWater final : public ForceTerm,
   // Builds the term for the bodies of the case that this rank owns.
   BodiesInWater(const model::Case& c, const LocalMesh& mesh);
 
-  // In statics the water does not act on bodies that are held where they start (RigidBodies::hold).
-  void hold(bool on, bool friction) override {
-    hold_ = on;
-    friction_ = friction;
-  }
   void scale_current(double factor) override { sea_.current_scale = factor; }
 
   // Indices in the case of this rank's bodies that pierce the water surface.
@@ -90,12 +86,10 @@ class BodiesInWater final : public ForceTerm,
   Flow all_forces(const Wet& b, const RigidBodyState& s, const Kinematics& state) const;
   // The same without the buoyancy in still water, which has a potential.
   Flow flow(const Wet& b, const Kinematics& state) const;
-  bool idle(const Wet& b) const { return hold_ && !b.static_rest.is_computed(friction_); }
 
   Sea sea_;
   std::vector<Wet> list_;
   std::vector<bool> has_;  // by body of the case
-  bool hold_ = false, friction_ = false;
   double start_time_ = 0;  // s
 };
 

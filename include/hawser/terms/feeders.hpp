@@ -64,11 +64,7 @@ struct FeedPoint {
   double length_rate = 0;
 };
 
-class Feeders final : public ForceTerm,
-                      public ActsOnElements,
-                      public LimitsSteps,
-                      public FedLines,
-                      public FeedsLines {
+class Feeders final : public ForceTerm, public ActsOnElements, public LimitsSteps, public FedLines {
  public:
   Feeders(const LocalMesh& mesh, const model::Case& c);
 
@@ -107,7 +103,9 @@ class Feeders final : public ForceTerm,
 
   double work() const { return work_; }
   void set_work(double work) { work_ = work; }
-  double passed_through(std::span<const double> pulls, double h) const override;
+  // Work [J] of the feeders on lines in a step of h [s] while they remove the same work elsewhere, from the
+  // same line or another. pulls: force on each feeder, N.
+  double passed_through(std::span<const double> pulls, double h) const;
 
   std::string_view checkpoint_key() const override { return "feeders"; }
   void prepare(const Kinematics& from, double h) override;

@@ -22,6 +22,7 @@ using VolumeFacets = std::vector<std::shared_ptr<const MeshView>>;
 // split.
 HullSurface hull_surface(const model::Case& c, int body, const VolumeFacets& facets, double longest);
 
+// In statics the water does not act on bodies that are held where they start.
 class Hulls final : public ForceTerm,
                     public AppliesExternalLoad,
                     public ScalesResiduals,
@@ -30,12 +31,6 @@ class Hulls final : public ForceTerm,
  public:
   // Builds the term for the bodies of the case that this rank owns.
   Hulls(const model::Case& c, const LocalMesh& mesh, const VolumeFacets& facets);
-
-  // In statics the water does not act on bodies that are held where they start (RigidBodies::hold).
-  void hold(bool on, bool friction) override {
-    hold_ = on;
-    friction_ = friction;
-  }
 
   std::string_view checkpoint_key() const override { return "hulls in water"; }
   void prepare(const Kinematics& from, double h) override;
@@ -80,13 +75,11 @@ class Hulls final : public ForceTerm,
   const std::vector<double>& heads(const Hull& hull, const Kinematics& state) const;
   HullPressure pressure(const Hull& hull, const Kinematics& state, bool waves, bool tangent) const;
   const Forces& forces(const Hull& hull, const Kinematics& state) const;
-  bool idle(const Hull& hull) const { return hold_ && !hull.static_rest.is_computed(friction_); }
 
   Sea sea_;
   std::vector<Hull> list_;
   std::vector<std::vector<std::string>> load_components_;  // by body of the case
-  bool hold_ = false, friction_ = false;
-  double start_time_ = 0;  // s
+  double start_time_ = 0;                                  // s
 };
 
 }  // namespace hawser

@@ -15,6 +15,9 @@ namespace model {
 struct Case;
 }
 
+// Motion of the ends of an element.
+MassEnds mass_ends(const LocalElement& e, const Kinematics& state);
+
 class LineMass final : public ForceTerm,
                        public ActsOnElements,
                        public MovesMasses,

@@ -2,6 +2,7 @@
 // of each element that LineVolumeFinder finds. See docs/theory/contact.md.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
@@ -12,11 +13,18 @@
 #include "hawser/terms/contact_along_axis.hpp"
 #include "hawser/terms/contact_resultant.hpp"
 #include "hawser/terms/contact_work.hpp"
-#include "hawser/terms/line_contact_element.hpp"
 #include "hawser/terms/line_volume_finder.hpp"
 #include "hawser/terms/run_roles.hpp"
 
 namespace hawser {
+
+// Contact data of an element of a line.
+struct LineContactElement {
+  double radius = 0;           // m, half the contact diameter; 0: the element takes no part
+  double mass_per_length = 0;  // kg/m: the effective mass of relative_damping
+  std::array<bool, 2> held{};  // whether each end is held by a support or a body
+  bool rolling = false;        // for a beam: friction acts at the surface and turns the beam about its axis
+};
 
 class LineVolumeContact final : public ForceTerm,
                                 public CouplesNodes,

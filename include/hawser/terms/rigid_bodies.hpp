@@ -18,6 +18,9 @@
 
 namespace hawser {
 
+// In statics a spring of 1 rad/s holds a body without other support, and the body's weight does not act. A
+// body that has an equilibrium of its own (StaticRest) is only kept from drifting in directions without
+// resistance, such as the rotation of a load about its sling.
 class RigidBodies final : public ForceTerm,
                           public AppliesExternalLoad,
                           public ScalesResiduals,
@@ -25,14 +28,6 @@ class RigidBodies final : public ForceTerm,
  public:
   // Builds the term for the bodies with mass of the case that this rank owns. gravity [m/s²] along -z.
   RigidBodies(const model::Case& c, const LocalMesh& mesh, std::shared_ptr<const Bodies> bodies);
-
-  // In statics a spring of 1 rad/s holds a body without other support, and the body's weight does not act. A
-  // body that has an equilibrium of its own (StaticRest) is only kept from drifting in directions without
-  // resistance, such as the rotation of a load about its sling.
-  void hold(bool on, bool friction) override {
-    hold_ = on;
-    friction_ = friction;
-  }
 
   // Force [N] and moment [N m] of lines and contact about the centre of mass of a body, space axes: the
   // remainder of inertia, springs and weight in a balanced state. On the rank that owns the body.
@@ -86,7 +81,6 @@ class RigidBodies final : public ForceTerm,
 
   MeanWeights scheme_;
   std::vector<Floating> list_;
-  bool hold_ = false, friction_ = false;
 };
 
 // Start position of the centre of mass of a floating body, and its velocities (w in body axes).

@@ -2,13 +2,13 @@
 // lists the terms with a role.
 #pragma once
 
-#include <span>
 #include <string>
 #include <vector>
 
 #include "hawser/math/types.hpp"
 #include "hawser/state/kinematics.hpp"
 #include "hawser/system/field.hpp"
+#include "hawser/terms/static_rest.hpp"
 
 namespace hawser {
 
@@ -31,8 +31,19 @@ class AppliesExternalLoad {
 class RestrainedInStatics {
  public:
   virtual ~RestrainedInStatics() = default;
-  // friction: contact has friction in this stage of statics.
-  virtual void hold(bool on, bool friction) = 0;
+  // on: statics begins; friction: contact has friction in this stage.
+  void hold(bool on, bool friction) {
+    in_statics_ = on;
+    friction_ = friction;
+  }
+
+ protected:
+  bool in_statics() const { return in_statics_; }
+  // Whether statics holds the body with this support where it starts.
+  bool is_held(const StaticRest& rest) const { return in_statics_ && !rest.is_computed(friction_); }
+
+ private:
+  bool in_statics_ = false, friction_ = false;
 };
 
 // A term for which not every equilibrium of statics is a valid result.
@@ -50,15 +61,6 @@ class InCurrent {
   virtual ~InCurrent() = default;
   // Sets the factor on the current velocities of the case.
   virtual void scale_current(double factor) = 0;
-};
-
-// A term that feeds lines.
-class FeedsLines {
- public:
-  virtual ~FeedsLines() = default;
-  // Work [J] that it does on lines in a step of h [s] while it removes the same work elsewhere, from the same
-  // line or another. pulls: force on each feeder, N.
-  virtual double passed_through(std::span<const double> pulls, double h) const = 0;
 };
 
 // A named row of numbers at every step, in addition to nodal fields.
