@@ -140,6 +140,15 @@ LineStart along(const std::vector<Vec3>& points, const Mesh& mesh, const LineSpa
   return out;
 }
 
+// The given points, with the first and last one at the held ends, from which the case may differ by rounding.
+LineStart through_points(std::vector<Vec3> points, const std::optional<Vec3>& xa,
+                         const std::optional<Vec3>& xb, const Mesh& mesh, const LineSpan& span) {
+  if (xa) points.front() = *xa;
+  if (xb) points.back() = *xb;
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  return along(points, mesh, span);
+}
+
 // Shape of another run, by fraction of the length. If ends are held elsewhere now, the line is shifted with
 // them, in proportion to its nearness to each end.
 LineStart as_previous(const model::PreviousShape& previous, const std::optional<Vec3>& xa,
@@ -294,10 +303,10 @@ LineStart line_start(const model::Case& c, const model::Line& line, const Bodies
   const bool b = line.end_b.kind != EndKind::free;
   const Vec3 xa = start_pose(c, bodies, line.end_a).to_space(line.end_a.at);
   const Vec3 xb = start_pose(c, bodies, line.end_b).to_space(line.end_b.at);
-  if (line.start == Start::points) return along(line.points, mesh, span);
-  if (line.start == Start::other_run)
-    return as_previous(*line.previous_shape, a ? std::optional(xa) : std::nullopt,
-                       b ? std::optional(xb) : std::nullopt, mesh, span);
+  const std::optional<Vec3> held_a = a ? std::optional(xa) : std::nullopt;
+  const std::optional<Vec3> held_b = b ? std::optional(xb) : std::nullopt;
+  if (line.start == Start::points) return through_points(line.points, held_a, held_b, mesh, span);
+  if (line.start == Start::other_run) return as_previous(*line.previous_shape, held_a, held_b, mesh, span);
   if (line.start == Start::automatic)
     if (auto laid = line_over_supports(c, line, bodies, mesh, span)) return *std::move(laid);
   const auto straight = [&] {
