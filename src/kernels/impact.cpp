@@ -113,6 +113,12 @@ double ImpactEvent::crossed(double h) const {
 
 double ImpactEvent::period() const { return approach_.gap < 0 ? 2 * M_PI * inverse_frequency_ : kNever; }
 
+// E exp(-2 zeta omega t); more than critical damping leaves no oscillation.
+double ImpactEvent::energy_after(double time) const {
+  if (!(approach_.gap < 0)) return 0;
+  return energy_ * std::exp(-2 * std::min(approach_.damping, 1.0) * time / inverse_frequency_);
+}
+
 double crossing_error(double inverse_frequency, double significant_depth, double force, double potential,
                       double path, double speed) {
   return inverse_frequency * speed > significant_depth ? std::max(0.5 * force * path - potential, 0.0) : 0;
@@ -160,8 +166,11 @@ StepLimit impact_limited_step(std::span<const ImpactEvent> impacts, std::span<co
     return t;
   };
   StepLimit limit;
-  double all = total([](const ImpactEvent& s) { return s.energy(); });
-  sum({&all, 1});
+  const auto damped = std::count_if(impacts.begin(), impacts.end(), [](const auto& s) { return s.damped(); });
+  std::array<double, 2> sums{total([](const ImpactEvent& s) { return s.energy(); }),
+                             static_cast<double>(damped)};
+  sum(sums);
+  const auto [all, any_damped] = sums;
   if (!(all > 1)) return limit;
   // Longer periods do not shorten any step.
   const double longest = kSteps * max_step;
@@ -169,6 +178,11 @@ StepLimit impact_limited_step(std::span<const ImpactEvent> impacts, std::span<co
     return total([&](const ImpactEvent& s) { return s.period() < period ? s.energy() : 0; });
   });
   if (limit.period >= longest) limit.period = kNever;
+  limit.decay = kPeriodsAfterImpact * limit.period;
+  if (any_damped > 0 && limit.period < kNever)
+    limit.decay -= largest(limit.decay, sum, [&](double earlier) {
+      return total([&](const ImpactEvent& s) { return s.energy_after(limit.decay - earlier); });
+    });
   const double step = largest(
       max_step, sum, [&](double h) { return total([&](const ImpactEvent& s) { return s.unresolved(h); }); });
   // If contact is not reached in one step but in two, each covers half of the time.

@@ -56,6 +56,7 @@ std::vector<LineContactElement> contact_elements(const model::Case& c, const Loc
     LineContactElement& element = out.emplace_back();
     if (c.contact.takes_part(c.lines[g.line])) element.radius = 0.5 * type.contact_diameter;
     element.mass_per_length = type.mass_per_length;
+    element.damping_time = g.beam ? type.stiffness_damping : 0;
     element.rolling = c.contact.rolling;
     element.held = {is_held[e.first], is_held[e.second]};
   }

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hawser/kernels/impact.hpp"
+
 namespace hawser {
 namespace {
 // Factors on the step: docs/decisions/006-step-control.md.
@@ -14,11 +16,11 @@ constexpr double kShrinkIfInvalid = 0.5;     // after a step that was not solved
 constexpr double kShrinkIfInaccurate = 0.8;  // at least, after an inaccurate step
 constexpr double kAcceptedError = 2;         // of the tolerance that the length of the step aims at
 constexpr int kPatience = 5;
-// After an impact, steps are at most kPartOfPeriod of the period of its contact for kPeriodsAfterImpact
-// periods. From then on the limit is that length plus the time since then, so that steps at the limit double
-// from one to the next: the contact still vibrates faster than such steps resolve, and a step that is many
-// times as long as the last one would add energy to that vibration.
-constexpr double kPartOfPeriod = 1.0 / 3, kPeriodsAfterImpact = 20;
+// After an impact, steps are at most kPartOfPeriod of the period of its contact until the vibration has
+// decayed, for at most kPeriodsAfterImpact periods. From then on the limit is that length plus the time since
+// then, so that steps at the limit double from one to the next: the contact still vibrates faster than such
+// steps resolve, and a step that is many times as long as the last one would add energy to that vibration.
+constexpr double kPartOfPeriod = 1.0 / 3;
 
 // The local error is proportional to the cube of the step: h_new = kSafety h (tolerance/error)^(1/3)
 // (docs/theory/time-integration.md), here between kShrink h and largest h.
@@ -49,13 +51,15 @@ double StepControl::allowed_after_impact(double t) const {
 }
 
 // Until the limit by the last impact allows steps of kPartOfPeriod times `period`, a softer contact (longer
-// period) does not replace that impact.
-void StepControl::limit_by_impact(double t, double period) {
+// period) does not replace that impact. A vibration that decays sooner does not end the time of an earlier
+// one.
+void StepControl::limit_by_impact(double t, double period, double decay) {
   if (!std::isfinite(period) ||
       (impact_period_ > 0 && kPartOfPeriod * period > allowed_after_impact(t) * (1 + 1e-9)))
     return;
   impact_period_ = period;
-  resolved_until_ = t + kPeriodsAfterImpact * period;
+  const double longest = kPeriodsAfterImpact * period;
+  resolved_until_ = std::max(t + std::min(decay, longest), std::min(resolved_until_, t + longest));
 }
 
 void StepControl::reset_to_first_step() {

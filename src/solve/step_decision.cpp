@@ -100,7 +100,7 @@ double Dynamics::begin_step() {
   if (control_.respects_term_limits()) {
     const StepLimit limit = system_.longest_step(committed_kinematics(),
                                                  {committed_.ax, alpha_stored(alpha_)}, control_.proposal());
-    control_.limit_by_impact(committed_.s.time, limit.period);
+    control_.limit_by_impact(committed_.s.time, limit.period, limit.decay);
     attempt_.allowed = limit.longest;
   }
   return next_try();

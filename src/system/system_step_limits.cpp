@@ -135,6 +135,7 @@ StepLimit System::longest_step(const Kinematics& committed, const StoredMotion& 
       std::min(max_step, limit.longest), [this](std::span<double> values) { sum(values); });
   limit.longest = std::min(limit.longest, impact_limited.longest);
   limit.period = impact_limited.period;
+  limit.decay = impact_limited.decay;
   return limit;
 }
 

@@ -39,9 +39,15 @@ void LineVolumeContact::add_impact_at(const Pair& pair, const Kinematics& commit
   const Quat back = pair.start.pose.rotation.conjugate();
   const Vec3 velocity = back * velocity_at_start(pair, xi);
   const Vec3 acceleration = back * along(committed.a, local(pair), xi);
-  const Approach at{gap, -normal.dot(velocity), normal.dot(acceleration), last};
-  limit_depth(pair.radius, at, to);
   const ContactSpring s = spring(pair, xi, contact_length);
+  // In contact the spring is damped by zeta; after it the line alone, by beta omega/2.
+  const double of_line = 0.5 * settings(pair).damping_time / s.inverse_frequency;
+  const Approach at{.gap = gap,
+                    .closing = -normal.dot(velocity),
+                    .acceleration = normal.dot(acceleration),
+                    .last = last,
+                    .damping = std::min(s.damping, of_line)};
+  limit_depth(pair.radius, at, to);
   const double mass = settings(pair).mass_per_length * length * pair.length / contact_length;
   if (local(pair).counted && length > 0)
     to.add(impact_event(s.inverse_frequency, s.significant_depth, mass, at), element(pair).line);

@@ -103,6 +103,21 @@ TEST(Impact, HasAPeriodWhileItTouches) {
   EXPECT_EQ(limit_of(*impact_event(kSlow, kSignificantDepth, kMass, {0.01, 1, 0})).period, kNever);
 }
 
+// Time until the vibration of an impact with all energy of the line has decayed to the tolerance.
+double decay_of(double damping) {
+  return limit_of(*impact_event(kSlow, kSignificantDepth, kMass, {-0.01, 1, 0, true, damping})).decay;
+}
+
+TEST(Impact, HasAVibrationThatDecays) {
+  const double longest = kPeriodsAfterImpact * 2 * M_PI * kSlow;
+  const double of_energy = std::log(1 / kErrorOfStep) * kSlow / 2;  // s, E exp(-2 zeta omega t), for zeta = 1
+  EXPECT_NEAR(decay_of(0), longest, 2e-4 * longest);
+  EXPECT_NEAR(decay_of(0.01), longest, 2e-4 * longest);
+  EXPECT_NEAR(decay_of(0.1), of_energy / 0.1, 2e-4 * longest);
+  EXPECT_NEAR(decay_of(1), of_energy, 2e-4 * longest);
+  EXPECT_NEAR(decay_of(7), of_energy, 2e-4 * longest);  // no oscillation
+}
+
 // Energy lost or created by the trapezoidal rule in a step across the onset or end of contact.
 TEST(Impact, HasTheEnergyOfACrossing) {
   const double k = kMass / (kSlow * kSlow);
@@ -382,6 +397,20 @@ TEST(StepControl, AnImpactIsFollowed) {
   StepControl d(s);
   d.restore(c.proposal(), c.wait(), c.impact_period(), c.resolved_until());
   EXPECT_DOUBLE_EQ(d.next(1.8, 2.8, kNever), 0.05);
+}
+
+TEST(StepControl, AVibrationThatDecaysIsFollowedForAShorterTime) {
+  StepSettings s;
+  s.first = s.longest = 0.1;
+  StepControl c(s);
+  c.limit_by_impact(1, 0.03, 0.04);
+  EXPECT_NEAR(c.next(1.04, 1.14, kNever), 0.01, 1e-12);
+  EXPECT_NEAR(c.next(1.05, 1.15, kNever), 0.02, 1e-12);
+  // It does not end the time of an earlier impact without damping.
+  c.limit_by_impact(1.1, 0.03);
+  c.limit_by_impact(1.2, 0.03, 0.04);
+  EXPECT_NEAR(c.next(1.69, 1.79, kNever), 0.01, 1e-12);
+  EXPECT_NEAR(c.next(1.71, 1.81, kNever), 0.02, 1e-12);
 }
 
 // Energy of an oscillation at frequency w when the steps of a third of the contact's period end and steps a

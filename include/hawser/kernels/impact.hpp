@@ -19,7 +19,13 @@ struct StepLimit {
   // s, shortest period of the contacts with a current impact. For some time after it steps resolve the motion
   // that the impact causes.
   double period = std::numeric_limits<double>::infinity();
+  // s, time until the vibrations of these contacts have decayed to the energy tolerance, at most
+  // kPeriodsAfterImpact periods.
+  double decay = std::numeric_limits<double>::infinity();
 };
+
+// Steps resolve the vibration that an impact leaves for at most this number of its periods.
+constexpr double kPeriodsAfterImpact = 20;
 
 // A point that approaches a surface.
 struct Approach {
@@ -27,6 +33,7 @@ struct Approach {
   double closing = 0;       // m/s, speed towards the surface
   double acceleration = 0;  // m/s², along the normal; positive: away from the surface
   bool last = true;         // for a point in contact: it is the deepest one, so contact ends when it leaves
+  double damping = 0;       // damping ratio of its vibration in contact and after it, the smaller one
 };
 
 // Impact of a mass on a contact spring that takes place now or may take place before the step ends.
@@ -43,6 +50,9 @@ class ImpactEvent {
   double crossed(double h) const;
   // Period of the mass on the spring, s; infinite if it is not in contact.
   double period() const;
+  bool damped() const { return approach_.damping > 0; }
+  // Energy of the vibration after a time [s] without further impacts, J; 0 if it is not in contact now.
+  double energy_after(double time) const;
 
  private:
   friend std::optional<ImpactEvent> impact_event(double inverse_frequency, double significant_depth,
@@ -145,7 +155,7 @@ bool within_tolerance(std::span<const UnresolvedImpact> impacts, std::span<const
                       Sum sum);
 
 // Longest step, at most `max_step` [s], in which the impacts of all ranks together stay within the energy
-// tolerance, and the period of the significant ones. Collective.
+// tolerance, and period and decay of the significant ones. Collective.
 StepLimit impact_limited_step(std::span<const ImpactEvent> impacts, std::span<const double> energy_tolerance,
                               double max_step, Sum sum);
 

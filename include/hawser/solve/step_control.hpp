@@ -2,6 +2,8 @@
 // because all arguments are global numbers.
 #pragma once
 
+#include <limits>
+
 namespace hawser {
 
 struct StepSettings {
@@ -32,9 +34,10 @@ class StepControl {
   // Called when accelerations have jumped: the next step is at most the first one of the settings.
   void reset_to_first_step();
   // Called at the start t of each step with the period [s] of the contact that an impact has hit in the last
-  // step; infinite: no impact. Steps stay below a third of the period for twenty periods, since the remaining
-  // vibration determines the next impact. From then on the limit grows by the time that has passed.
-  void limit_by_impact(double t, double period);
+  // step; infinite: no impact. Steps stay below a third of the period until the remaining vibration, which
+  // determines the next impact, has decayed: for the time `decay` [s], at most twenty periods. From then on
+  // the limit grows by the time that has passed.
+  void limit_by_impact(double t, double period, double decay = std::numeric_limits<double>::infinity());
   // True if a converged step of h with the local error `error` [m] is accurate enough. A step of the shortest
   // length always is.
   bool accurate(double h, double error) const;

@@ -22,12 +22,15 @@ ContactLaw contact_law(const model::Volume& v, double factor, double diameter, d
 // Spring data of a point of a line on a volume, for kernels/impact.hpp.
 struct ContactSpring {
   double inverse_frequency = 0;  // s, the period over 2 pi
-  double significant_depth =
-      0;  // m; an impact goes deeper by inertia: the ramp of the law, or 0.2 % of the radius
+  // m; an impact goes deeper by inertia: the ramp of the law, or 0.2 % of the radius.
+  double significant_depth = 0;
+  double damping = 0;  // damping ratio of the mass on the spring
 };
 // mass: kg per unit of the law; radius: of the line, m.
 inline ContactSpring contact_spring(const NormalLaw& law, double mass, double radius) {
-  return {std::sqrt(mass / law.stiffness), std::max(law.smoothing, 0.002 * radius)};
+  return {.inverse_frequency = std::sqrt(mass / law.stiffness),
+          .significant_depth = std::max(law.smoothing, 0.002 * radius),
+          .damping = law.damping / (2 * std::sqrt(law.stiffness * mass))};
 }
 
 // Limits a step so that no point of a line penetrates a surface deeper than half its radius [m].
