@@ -89,4 +89,12 @@ std::string passes_volume(const model::Line& line, const std::string& volume, co
       line.name, volume, side, where, confirm);
 }
 
+std::string driven_apart(const std::string& volume, const std::string& other, const std::string& body,
+                         double energy, double out) {
+  return fmt::format(
+      "volumes {} and {} start in contact with {:.3g} J of elastic energy, which drives them apart; give "
+      "bodies.{}.position {:.2g} m further away",
+      volume, other, energy, body, out);
+}
+
 }  // namespace hawser::advice

@@ -13,6 +13,7 @@
 
 #include "hawser/advice/restart.hpp"
 #include "hawser/advice/run.hpp"
+#include "hawser/advice/start_contact.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/base/mpi.hpp"
 #include "hawser/base/share_of_time.hpp"
@@ -30,6 +31,7 @@
 #include "hawser/run/run_parts.hpp"
 #include "hawser/run/step_actions.hpp"
 #include "hawser/run/volumes.hpp"
+#include "hawser/terms/body_contact.hpp"
 
 namespace hawser::run {
 namespace {
@@ -292,11 +294,28 @@ void find_equilibrium_with_outputs(Simulation& sim, Events& events, RecorderAtFi
   release_freed_memory();
 }
 
+std::vector<std::string> bodies_driven_apart(Simulation& sim) {
+  std::vector<std::string> notes;
+  const auto* contact = sim.system().find<BodyContact>();
+  if (!contact) return notes;
+  const model::Case& c = sim.model();
+  for (const DrivenApart& d : contact->driven_apart(sim.dynamics().committed_kinematics())) {
+    const model::Volume& one = c.volumes[static_cast<size_t>(d.volume)];
+    const model::Volume& other = c.volumes[static_cast<size_t>(d.other_volume)];
+    const int body = c.body_index(one.body);
+    const bool floats = body >= 0 && c.bodies[static_cast<size_t>(body)].mass;
+    notes.push_back(
+        advice::driven_apart(one.name, other.name, floats ? one.body : other.body, d.energy, d.out));
+  }
+  return notes;
+}
+
 // Starts dynamics from the static equilibrium, or from the start shape without statics; writes a checkpoint
 // so that a run killed early can be continued.
 void start_motion(Simulation& sim, Events& events, record::Recorder& recorder, Progress& progress) {
   for (const std::string& e : events.begin()) progress.print(e);
   sim.dynamics().start(sim.state());
+  progress.print_notes(bodies_driven_apart(sim));
   // A start at rest is recorded at rest: initial velocities of motions are applied after it.
   recorder.start(sim.model().statics.enabled ? sim.state().at_rest() : sim.dynamics().committed_kinematics());
   sim.state() = State();  // dynamics has a separate copy

@@ -69,6 +69,34 @@ bool BodyContact::overlaps_within_step(const Pair& pair, const Kinematics& trial
   return false;
 }
 
+// The springs push with the force F, other forces hold against them with F - m c, c the acceleration along F.
+std::vector<DrivenApart> BodyContact::driven_apart(const Kinematics& start) const {
+  std::vector<DrivenApart> out;
+  for (size_t i = 0; i < pairs_.size(); ++i) {
+    const Pair& p = pairs_[i];
+    const bool again = p.other >= 0 && static_cast<size_t>(p.other) < i;  // the same two volumes
+    if (!p.counted || again) continue;
+    const PairFrames at = frames_of(p, start);
+    const Sum s = contact(p, at, kSprings);
+    double potential = s.potential;
+    double depth = s.depth;
+    Vec3 force = Vec3::Zero();
+    if (s.active) force -= s.residual.f.head<3>();
+    if (p.other >= 0) {
+      const Sum other = contact(pairs_[p.other], {at.B, at.A}, kSprings);
+      potential += other.potential;
+      depth = std::max(depth, other.depth);
+      if (other.active) force -= other.residual.f.segment<3>(6);
+    }
+    const double push = p.mass * at.relative_motion().second.head<3>().dot(force.normalized());
+    const double way = p.law.smoothing + depth;
+    const double taken_up = relative_energy(p, at) + std::max(force.norm() - push, 0.0) * way;
+    if (push > 0 && potential > taken_up)
+      out.push_back({static_cast<int>(p.a), static_cast<int>(p.b), potential, way});
+  }
+  return gather_all(comm_, out);
+}
+
 void BodyContact::check_at_rest(const Kinematics& equilibrium) {
   // Penetrations on the path to rest do not permit any in the motion.
   for (Pair& p : pairs_) p.penetration_since_clear = 0;

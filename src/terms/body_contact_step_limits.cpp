@@ -38,6 +38,42 @@ double BodyContact::frequency(const Pair& pair, const Sum& s) const {
   return std::sqrt(std::max(eigenpairs(K).values[11], 0.0));
 }
 
+// The velocity of A is that relative to the material of B at its place, as the springs depend on the relative
+// motion alone:
+//   v_A - v_B - W x r,   a_A - a_B - W' x r - W x (W x r) - 2 W x (v_A - v_B - W x r),   r = x_A - x_B.
+// For the angular acceleration both bodies are assumed to turn together.
+std::pair<Vec6, Vec6> BodyContact::PairFrames::relative_motion() const {
+  const Vec3 arm = A.x - B.x;
+  const Vec3 turning = B.R * B.w;
+  const Vec3 velocity = A.v - B.v - turning.cross(arm);
+  const Vec3 carried = B.a + (B.R * B.alpha).cross(arm) + turning.cross(turning.cross(arm));
+  const Vec3 acceleration = A.a - carried - 2 * turning.cross(velocity);
+  const Mat3 back = turn().transpose();
+  return {(Vec6() << velocity, A.w - back * B.w).finished(),
+          (Vec6() << acceleration, A.alpha - back * B.alpha).finished()};
+}
+
+// With the root L of the inverse mass matrix the modes obey L'KL e = w² e. Rates q' of the unknowns deform
+// the spring of a mode at the rate u = e.L'K q'/w², accelerations q'' likewise at c = e.L'K q''/w², and it
+// vibrates about its equilibrium with the energy (u² + c²/w²)/2.
+double BodyContact::vibration(const Pair& pair, const PairFrames& at, const Sum& s) const {
+  if (!s.active) return 0;
+  const Mat12 springs = pair.root.transpose() * s.residual.K;
+  const Eigenpairs modes = eigenpairs(Mat12(springs * pair.root));
+  const auto [rates, accelerations] = at.relative_motion();
+  const Vec12 by_rates = springs.leftCols<6>() * rates;
+  const Vec12 by_accelerations = springs.leftCols<6>() * accelerations;
+  double energy = 0;
+  for (Eigen::Index i = 11; i >= 0 && modes.values[i] > kRounding * modes.values[11]; --i) {
+    const double square = modes.values[i];
+    const double u = modes.vectors.col(i).dot(by_rates) / square;
+    const double c = modes.vectors.col(i).dot(by_accelerations) / square;
+    energy += 0.5 * (u * u + c * c / square);
+    if (energy > kEnergyError * pair.energy) return std::sqrt(square);
+  }
+  return 0;
+}
+
 double BodyContact::relative_energy(const Pair& pair, const PairFrames& at) const {
   const Vec3 speed = at.A.v - at.B.velocity(at.B.to_body(at.A.x));
   return 0.5 * (pair.mass * speed.squaredNorm() + at.A.w.dot(bodies_of_volumes_[pair.a].inertia * at.A.w) +
@@ -79,11 +115,11 @@ std::optional<BodyContact::Nearest> BodyContact::nearest(const Pair& pair, const
 
 // The stiffness increases with the features that come into contact during the step, so the criterion is a
 // twentieth of the period at the end of the step.
-double BodyContact::resolved_step(const Pair& pair, const PairFrames& at, double max_step) const {
+double BodyContact::resolved_step(const PairFrames& at, double max_step, FrequencyAt frequency_at) {
   const auto resolves_contact = [&](double h) {
     PairFrames moved = at;
     moved.move(h);
-    const double w = frequency(pair, contact(pair, moved, kStiffness));
+    const double w = frequency_at(moved);
     return h * w <= 2 * M_PI / kStepsAPeriod * (1 + kRounding);
   };
   if (resolves_contact(max_step)) return max_step;
@@ -104,9 +140,11 @@ void BodyContact::limit_by(const Pair& p, ImpactEvents& to) const {
   const double time_to_depth = speed > 0 ? std::max(p.max_approach / speed, 1e-6) : HUGE_VAL;
   to.limit(time_to_depth);  // not deeper in one step than at a first touch
   const double max_step = std::min(to.max_step, time_to_depth);
+  const auto highest = [&](const PairFrames& at) { return frequency(p, contact(p, at, kStiffness)); };
+  const auto vibrating = [&](const PairFrames& at) { return vibration(p, at, contact(p, at, kStiffness)); };
   if (p.frequency > 0) {
-    const double period = 2 * M_PI / p.frequency;
-    to.limit(resolved_step(p, p.frames, std::min(max_step, period / kStepsAPeriod)));
+    const double resolved = p.vibration > 0 ? 2 * M_PI / (kStepsAPeriod * p.vibration) : HUGE_VAL;
+    to.limit(resolved_step(p.frames, std::min(max_step, resolved), vibrating));
   }
 
   const auto place = nearest(p, p.frames, p.law.smoothing + speed * std::min(max_step, 1e6));
@@ -121,7 +159,7 @@ void BodyContact::limit_by(const Pair& p, ImpactEvents& to) const {
     if (!(at.closing > 0) || at.gap > at.closing * max_step) return;
     PairFrames moved = p.frames;
     moved.move(at.gap / at.closing);
-    const double h = resolved_step(p, moved, max_step);
+    const double h = resolved_step(moved, max_step, highest);
     to.limit(at.gap / at.closing + h);
     inverse_frequency = h * kStepsAPeriod / (2 * M_PI);
   }

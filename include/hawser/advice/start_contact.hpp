@@ -34,6 +34,11 @@ struct Passes {
 };
 std::string passes_volume(const model::Line& line, const std::string& volume, const Passes& p);
 
+// Volumes whose contact begins with more elastic energy [J] than motion and other forces take up; body: the
+// floating body to be moved, by `out` [m].
+std::string driven_apart(const std::string& volume, const std::string& other, const std::string& body,
+                         double energy, double out);
+
 // Numbers beyond those that are listed.
 std::string more_stretches_inside(size_t stretches);
 std::string more_ends_excluded(size_t ends);

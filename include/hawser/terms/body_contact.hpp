@@ -13,8 +13,10 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "hawser/math/function_ref.hpp"
 #include "hawser/mesh/local_mesh.hpp"
 #include "hawser/system/force_term.hpp"
 #include "hawser/terms/active_contact.hpp"
@@ -41,6 +43,13 @@ struct BodyFrame {
   Vec3 to_space(const Vec3& y) const { return x + R * (y - centre); }
   Vec3 to_body(const Vec3& p) const { return centre + R.transpose() * (p - x); }
   Vec3 velocity(const Vec3& y) const { return v + R * w.cross(y - centre); }
+};
+
+// Two volumes that the elastic energy [J] of their contact drives apart; out: way out of contact, m. Indices
+// of the case.
+struct DrivenApart {
+  int volume = 0, other_volume = 0;
+  double energy = 0, out = 0;
 };
 
 struct BodyVolume {
@@ -95,6 +104,9 @@ class BodyContact final : public ForceTerm,
 
   // No two volumes may overlap far deeper than the contact of their corners and edges shows.
   void check_at_rest(const Kinematics& equilibrium) override;
+  // Pairs in contact whose springs have more energy than the motion of the bodies and the other forces, over
+  // the way out of contact, take up: they drive the bodies apart. start: with its accelerations. Collective.
+  std::vector<DrivenApart> driven_apart(const Kinematics& start) const;
   // Largest penetration over the accepted steps of the pairs that this rank counts, m.
   double largest_penetration() const;
   // Adds the active contacts of those pairs in the accepted state. Volumes have their indices in the case.
@@ -116,6 +128,8 @@ class BodyContact final : public ForceTerm,
     // Rates of the twelve unknowns.
     Vec12 rates() const { return (Vec12() << A.v, A.w, B.v, B.w).finished(); }
     Vec12 accelerations() const { return (Vec12() << A.a, A.alpha, B.a, B.alpha).finished(); }
+    // Velocity and acceleration of A's centre [space axes] and turning [axes of A] relative to B.
+    std::pair<Vec6, Vec6> relative_motion() const;
     void move(double time);                              // moves both on by `time` [s] at their velocities
     Mat3 turn() const { return B.R.transpose() * A.R; }  // from the axes of A to those of B
     // Rotation vector of A relative to B since `start`, rad, axes of B.
@@ -142,6 +156,7 @@ class BodyContact final : public ForceTerm,
     double stiffness = 0;           // N/m, sum over all normal springs in contact
     TouchingPoints points;          // in contact
     double frequency = 0;           // rad/s, highest natural frequency on the contact springs; 0: no contact
+    double vibration = 0;           // rad/s, of vibration()
     double energy = 0;              // J, kinetic energy of the relative motion plus potential
     Vec12 elastic = Vec12::Zero();  // residual without damping
     PairFrames frames;
@@ -236,14 +251,18 @@ class BodyContact final : public ForceTerm,
   // Step limits, in body_contact_step_limits.cpp. Largest natural frequency of the bodies on the springs of
   // `stiffness`, rad/s.
   double frequency(const Pair& pair, const Sum& stiffness) const;
+  // Frequency of the slowest vibration on the springs of `stiffness` that steps must resolve, rad/s: that of
+  // all faster ones together may be lost in a step without a significant error. 0: none.
+  double vibration(const Pair& pair, const PairFrames& at, const Sum& stiffness) const;
   // Kinetic energy of the relative motion of the bodies, J.
   double relative_energy(const Pair& pair, const PairFrames& at) const;
   // Upper bound of the speed at which any point of one body approaches the other, m/s.
   double fastest(const Pair& pair, const PairFrames& at) const;
   // Smallest gap of corners, edges and balls if it is below `within` [m].
   std::optional<Nearest> nearest(const Pair& pair, const PairFrames& at, double within) const;
-  // Largest step from `state`, at most `max_step` [s], in which the contact springs are resolved.
-  double resolved_step(const Pair& pair, const PairFrames& at, double max_step) const;
+  using FrequencyAt = FunctionRef<double(const PairFrames&)>;  // rad/s
+  // Largest step from a state, at most `max_step` [s], that resolves the frequency at its end.
+  static double resolved_step(const PairFrames& at, double max_step, FrequencyAt frequency_at);
   void limit_by(const Pair& pair, ImpactEvents& to) const;
   // Depth of the deepest point of the faces of one volume in the other, m; in body_contact_penetration.cpp.
   double overlap_depth(size_t volume, const BodyFrame& frame, size_t other,

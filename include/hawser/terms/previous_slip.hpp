@@ -14,11 +14,13 @@ namespace hawser {
 template <class Points>
 bool previous_slip(const Points& points, double xi, ContactStart& s, ContactRates* rates) {
   using Point = typename Points::value_type;
-  if (std::none_of(points.begin(), points.end(), [&](const Point& p) { return p.from <= xi && xi <= p.to; }))
-    return false;
-  const auto after = std::find_if(points.begin(), points.end(), [&](const Point& p) { return p.xi > xi; });
+  const auto after = std::upper_bound(points.begin(), points.end(), xi,
+                                      [](double place, const Point& p) { return place < p.xi; });
   const Point* b = after != points.end() ? &*after : nullptr;
   const Point* a = after != points.begin() ? &*(after - 1) : nullptr;
+  // Intervals do not overlap, so the one at xi is that of a neighbour.
+  const auto touched = [xi](const Point* p) { return p && p->from <= xi && xi <= p->to; };
+  if (!touched(a) && !touched(b)) return false;
   if (a && b && a->from != b->from && a->to != b->from) (xi <= a->to ? b : a) = nullptr;
   if (!a || !b) {
     const Point* p = a ? a : b;
