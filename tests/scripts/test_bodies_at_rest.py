@@ -58,15 +58,15 @@ class BodiesAtRest(unittest.TestCase):
         printed, steps, time, x = self.run_case(CRATE.replace("PULL", str(0.5 * FRICTION * MASS * GRAVITY)))
         self.assertLess(np.count_nonzero(steps > 3), 3 / 0.025)
         self.assertLess(abs(float(re.search(r"balance error .* \(([-\d.e]+) %", printed)[1])), 1)
-        self.assertLess(np.abs(x[time > 3] - x[-1]).max(), 1e-9)
+        self.assertLess(np.abs(x[time > 3] - x[-1]).max(), 1e-8)
         self.assertNotIn("drives them apart", printed)
 
     def test_crate_that_slides(self):
-        """A pull of twice the friction accelerates it by friction over mass, in steps that do not resolve its vibration."""
-        _, steps, time, x = self.run_case(CRATE.replace("PULL", str(2 * FRICTION * MASS * GRAVITY)))
+        """A pull of 1.1 times the friction accelerates it, in steps that do not resolve its vibration."""
+        _, steps, time, x = self.run_case(CRATE.replace("PULL", str(1.1 * FRICTION * MASS * GRAVITY)))
         self.assertLess(np.count_nonzero(steps > 3), 3 / 0.025)
         second = np.diff(x[time > 2, 0], 2) / 0.5**2
-        np.testing.assert_allclose(second, FRICTION * GRAVITY, rtol=1e-3)
+        np.testing.assert_allclose(second, 0.1 * FRICTION * GRAVITY, rtol=1e-3)
 
     def test_start_in_the_onset_of_contact(self):
         """Flush sides touch by the smooth onset of the force, 1 cm wide: 15 times the load."""
