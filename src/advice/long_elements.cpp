@@ -29,13 +29,29 @@ std::string friction_of_beam(double turn) {
 
 std::string turns_on_edge(const std::string& line, const LongElements& at, double largest, double EI,
                           double turn) {
+  const std::string bending =
+      at.held ? ""
+              : fmt::format(
+                    "give its type an 'EI' of {:.2g} N m² or more (a quarter of that with elements half "
+                    "as long){}, or ",
+                    EI, friction_of_beam(turn));
   return fmt::format(
       "line {} turns by {:.0f} degrees over a volume from one straight element of {:.3g} m to the next (arc "
       "length {:.4g} m, t = {:.4g} s), which changes its tension there by {:.2g} N, {:.2g} % of the "
-      "largest: give its type an 'EI' of {:.2g} N m² or more (a quarter of that with elements half "
-      "as long){}, or use elements of {:.2g} m there",
-      line, at.turn * 180 / M_PI, at.length, at.arc, at.time, at.error, 100 * at.error / largest, EI,
-      friction_of_beam(turn), at.recommended);
+      "largest: {}use elements of {:.2g} m there{}",
+      line, at.turn * 180 / M_PI, at.length, at.arc, at.time, at.error, 100 * at.error / largest, bending,
+      at.recommended,
+      at.held ? " (bending stiffness would also change the tension, because both ends are held)" : "");
+}
+
+std::string longer_over_volume(const std::string& line, const LongElements& at, double largest) {
+  return fmt::format(
+      "the straight elements of line {} over a volume are {:.2g} m longer than the curve over it, most at "
+      "arc "
+      "length {:.4g} m (elements of {:.3g} m, turn {:.0f} degrees, t = {:.4g} s); because both ends of the "
+      "line are held, its tension is wrong {}: use elements of {:.2g} m there",
+      line, at.excess, at.arc, at.length, at.turn * 180 / M_PI, at.time, off_by(at.error / largest),
+      at.recommended);
 }
 
 std::string sags_between_nodes(const std::string& line, const LongElements& at, double largest) {
@@ -57,8 +73,9 @@ std::string leaves_bed_within(const std::string& line, const LongElements& at, d
 std::string moment_between_nodes(const std::string& line, const LongElements& at, double largest) {
   return fmt::format(
       "the bending moment of line {} decays within {:.3g} m at arc length {:.4g} m (t = {:.4g} s), and with "
-      "elements of {:.3g} m it is wrong {}: use elements of {:.2g} m there",
-      line, at.decay, at.arc, at.time, at.length, off_by(at.error / largest), at.recommended);
+      "elements of {:.3g} m it is wrong {}{}: use elements of {:.2g} m there",
+      line, at.decay, at.arc, at.time, at.length, off_by(at.error / largest),
+      at.held ? ", and the tension between its held ends perhaps by more" : "", at.recommended);
 }
 
 std::string long_in_flow(const LongInFlow& at) {

@@ -160,6 +160,16 @@ void Case::forget_lines_and_bodies(const std::vector<bool>& kept) {
   tree = rest;
 }
 
+bool Case::holds_both_ends(const Line& line) const {
+  return std::ranges::all_of(kLineEnds, [&](LineEnd side) {
+    const End& end = line.end(side);
+    if (end.feed) return false;
+    if (end.kind == EndKind::anchor) return true;
+    const int body = end.kind == EndKind::body ? body_index(end.carrier) : -1;
+    return body >= 0 && !floats(body) && !rides(body);
+  });
+}
+
 bool Case::off_at_start(const Volume& volume) const {
   for (const Event& e : events)
     if (switches(e.action, volume)) return e.action.enabled;

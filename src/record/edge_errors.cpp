@@ -16,7 +16,6 @@ namespace {
 constexpr double kAllowed = 0.005;  // of the tension
 constexpr double kInside = 0.3;     // fraction of errors within the contact that counts
 constexpr double kLeft = 0.0025;    // error of elements of the recommended length
-constexpr double kOfRadius = 0.2;   // length of elements over a sharp edge, in contact radii
 constexpr double kEvenly = 0.5;     // of a turn: with both neighbours above it the line follows a smooth bend
 constexpr double kWide = 0.8;       // rad, turn of a beam within elements of length sqrt(EI/T)
 constexpr double kStraight = 1e-4;  // rad
@@ -155,10 +154,11 @@ void EdgeErrors::update_worst(int line, const PressedPart& of_line, double time)
           .arc = mesh_.mesh->node(worst_turn.node).arc,
           .time = time,
           .turn = worst_turn.angle,
-          .length = worst_turn.length};
+          .length = worst_turn.length,
+          .held = case_.holds_both_ends(case_.lines[line])};
   w.turn_of_element = worst_turn.angle + std::max(of_line.before, of_line.after);
   const bool evenly = std::min(of_line.before, of_line.after) > kEvenly * worst_turn.angle;
-  const double of_edge = kOfRadius * 0.5 * type_at(worst_turn.node).contact_diameter;
+  const double of_edge = advice::kOfContactRadius * 0.5 * type_at(worst_turn.node).contact_diameter;
   w.at.recommended = evenly || of_edge >= worst_turn.length
                          ? worst_turn.length * std::sqrt(kLeft * of_line.tension / error)
                          : of_edge;

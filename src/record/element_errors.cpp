@@ -1,4 +1,4 @@
-// The class ElementErrors: three estimates of errors from long elements, by the formulas of
+// The class ElementErrors: estimates of errors from long elements, by the formulas of
 // docs/theory/element-length.md.
 #include "hawser/record/element_errors.hpp"
 
@@ -25,6 +25,14 @@ constexpr double kRecommendedInside = 0.37;
 // The same where nodal forces give the moment: at ends and attachments.
 double wrong_at_end(double x) { return x * x * x * x / (1440 + 144 * x * x); }
 constexpr double kRecommendedAtEnd = 2.1;
+// The same where a smooth bend on a volume begins.
+double wrong_at_liftoff(double x) { return 0.06 * x / (1 + 0.3 * x); }
+constexpr double kRecommendedAtLiftoff = 0.18;
+constexpr double kLongAtLiftoff = 1;  // x from which it is estimated
+
+// Excess over a curve of radius R [m] of a straight element that touches it p [m] before a node where it
+// turns by `turn`: p turn²/2 - R turn³/6.
+double excess(double p, double turn, double R) { return turn * turn * (0.5 * p - std::min(R * turn, p) / 6); }
 
 constexpr int kNodesTag = 76;
 
@@ -64,7 +72,8 @@ ElementErrors::At ElementErrors::node(size_t n, const Kinematics& state, const V
           std::isnan(moment) ? 0 : std::abs(moment),
           !values.pressed.empty() && values.pressed[n],
           values.supported[n],
-          mesh_.node(n).two_sided};
+          mesh_.node(n).two_sided,
+          !values.on_volume.empty() && values.on_volume[n]};
 }
 
 void ElementErrors::declare(Declarations& to) {
@@ -73,23 +82,25 @@ void ElementErrors::declare(Declarations& to) {
   moment_ = find_field(fields, "bending_moment");
   for (size_t f = 0; f < fields.size(); ++f)
     if (fields[f].contact_with != advice::ContactWith::nothing)
-      touches_.push_back(
-          {static_cast<int>(f), fields[f].components, fields[f].contact_with == advice::ContactWith::seabed});
+      touches_.push_back({static_cast<int>(f), fields[f].components, fields[f].contact_with});
 }
 
 void ElementErrors::output(const Snapshot& s) {
   const auto value_of = [&](int f) {
     return f < 0 ? std::span<const double>() : std::span<const double>(s.values[f]);
   };
-  Values v{value_of(tension_), value_of(moment_), {}, {}};
+  Values v{value_of(tension_), value_of(moment_), {}, {}, {}};
   v.pressed.resize(mesh_.owned, false);
   v.supported.resize(mesh_.owned, false);
+  v.on_volume.resize(mesh_.owned, false);
   for (const TouchField& f : touches_)
     for (size_t n = 0, c = static_cast<size_t>(f.components); n < v.supported.size(); ++n)
       for (size_t k = 0; k < c; ++k)
-        if (s.values[f.index][n * c + k] != 0) (f.of_bed ? v.supported : v.pressed)[n] = true;
-  for (size_t n = 0; n < v.supported.size(); ++n)
-    if (v.pressed[n]) v.supported[n] = true;
+        if (s.values[f.index][n * c + k] != 0) {
+          v.supported[n] = true;
+          if (f.with != advice::ContactWith::seabed) v.pressed[n] = true;
+          if (f.with == advice::ContactWith::volume) v.on_volume[n] = true;
+        }
   update(s.at, v);
 }
 
@@ -115,7 +126,7 @@ void ElementErrors::update(const Kinematics& state, const Values& values) {
     const std::span<const At> nodes(nodes_of_line, static_cast<size_t>(line.nodes));
     const auto [at_a, at_b] = inside.empty() ? std::array<int, 2>{} : inside[l];
     const InState s{line, nodes, elements, at_a, line.elements - at_b, state.time};
-    update_sag(s, lines_[l].sag);
+    update_sag(s, lines_[l]);
     if (!state.ends_step()) update_lifts(s, lines_[l].lift);
     if (!values.moment.empty()) update_bends(s, lines_[l].bend);
   };
@@ -148,7 +159,7 @@ void ElementErrors::update(const Kinematics& state, const Values& values) {
 
 // The curve within a straight element is longer by theta²/24 of its length, with theta the turn across the
 // element. The line has this additional slack; its effect on the tension follows from the shape.
-void ElementErrors::update_sag(const InState& s, Worst& worst) const {
+void ElementErrors::update_sag(const InState& s, OfLine& worst) const {
   const std::span<const At> nodes = s.nodes;
   const std::span<const Element> elements = s.elements;
   const int first = s.first;
@@ -187,8 +198,52 @@ void ElementErrors::update_sag(const InState& s, Worst& worst) const {
     }
     i = std::max(end, i + 1);
   }
-  if (!(extension > 0)) return;
+  if (!(compliance > 0) || tension == HUGE_VAL) return;
+  const double stiffness = tension / compliance;
+  update_corners(s, stiffness, worst.corner);
   candidate.error = extension / compliance * tension;
+  if (candidate.error > worst.sag.error) worst.sag = candidate;
+}
+
+// The exact curve goes straight to an edge of radius R and bends along it. An element outside the edge turns
+// by a and b at its nodes and touches at the fraction b/(a + b) of its length, by its balance of moments.
+// Between elements that both touch, the curve is an arc tangent to both, and each has half of the turn.
+void ElementErrors::update_corners(const InState& s, double stiffness, Worst& worst) const {
+  const auto& [line, nodes, elements, first, last, time] = s;
+  if (case_.contact.method != model::ContactMethod::line) return;
+  if (!case_.holds_both_ends(case_.lines[&line - mesh_.mesh->lines.data()])) return;
+  const auto touches = [&](int i) { return nodes[i].on_volume && nodes[i + 1].on_volume; };
+  const auto chord = [&](int i) { return Vec3((nodes[i + 1].x - nodes[i].x).normalized()); };
+  double sum = 0;
+  double largest = 0;
+  Worst candidate;
+  for (int i = first + 1; i + 1 < last; ++i) {
+    const Element& e = elements[i];
+    if (e.beam || !touches(i) || nodes[i].two_sided || nodes[i + 1].two_sided) continue;
+    const Vec3 before = chord(i - 1);
+    const Vec3 along = chord(i);
+    const Vec3 after = chord(i + 1);
+    if (!(before.cross(along).dot(along.cross(after)) > 0)) continue;  // no bend to one side
+    const bool shared_a = touches(i - 1);
+    const bool shared_b = touches(i + 1);
+    const double a = angle_between(before, along) * (shared_a ? 0.5 : 1);
+    const double b = angle_between(along, after) * (shared_b ? 0.5 : 1);
+    const double radius = 0.5 * type(e).contact_diameter;
+    const double to_a = e.length * b / (a + b);
+    const double more = excess(to_a, a, shared_a ? HUGE_VAL : radius) +
+                        excess(e.length - to_a, b, shared_b ? HUGE_VAL : radius);
+    sum += more;
+    if (more <= largest) continue;
+    largest = more;
+    const bool smooth = shared_a && shared_b;
+    candidate = {.arc = arc(line, i) + 0.5 * e.length,
+                 .time = time,
+                 .turn = a + b,
+                 .length = e.length,
+                 .recommended = smooth ? 0 : advice::kOfContactRadius * radius};
+  }
+  candidate.excess = sum;
+  candidate.error = sum * stiffness;
   if (candidate.error > worst.error) worst = candidate;
 }
 
@@ -227,43 +282,57 @@ void ElementErrors::update_lifts(const InState& s, Worst& worst) const {
 }
 
 // At a support, clamp or attachment the moment of a beam under tension has a peak that decays like
-// exp(-s/decay), decay = sqrt(EI/T), to both sides. In a smooth bend there is no peak.
+// exp(-s/decay), decay = sqrt(EI/T), to both sides. In a smooth bend there is no peak, but where a volume
+// begins to bend the line the moment changes its slope within an element.
 void ElementErrors::update_bends(const InState& s, Worst& worst) const {
   const auto& [line, nodes, elements, first, last, time] = s;
+  const bool holds_both_ends = case_.holds_both_ends(case_.lines[&line - mesh_.mesh->lines.data()]);
   for (int n = first; n <= last; ++n) {
     const At& values = nodes[n];
     if (values.moment <= worst.error || !(values.tension > 0)) continue;
     const bool at_end = n == first || n == last || values.two_sided;
     Worst smallest{.error = HUGE_VAL};  // over both sides
+    Worst liftoff;
+    bool continues = false;  // the line is on the volume on one side
     for (const int side : {-1, 1}) {
       const int i = side < 0 ? n - 1 : n;
       if (i < first || i >= last) continue;
       const Element& e = elements[i];
+      const bool on_volume = values.on_volume && nodes[n + side].on_volume;
       const double decay = std::sqrt(std::max(type(e).EI2, type(e).EI3) / values.tension);
       const double x = e.length / decay;
       const bool falls = e.beam && nodes[n + side].moment < values.moment * std::exp(-0.5 * std::min(x, 1.0));
       const double error = falls ? values.moment * (at_end ? wrong_at_end(x) : wrong_inside(x)) : 0;
-      if (error < smallest.error)
-        smallest = {error,
-                    arc(line, n),
-                    time,
-                    0,
-                    e.length,
-                    decay,
-                    decay * (at_end ? kRecommendedAtEnd : kRecommendedInside)};
+      Worst of_side{.error = error, .arc = arc(line, n), .time = time, .length = e.length, .decay = decay};
+      of_side.held = values.on_volume && x > kLongAtLiftoff && holds_both_ends;
+      of_side.recommended = decay * (at_end ? kRecommendedAtEnd : kRecommendedInside);
+      if (error < smallest.error) smallest = of_side;
+      if (!falls && on_volume) continues = true;
+      if (!falls || !values.on_volume || at_end || x <= kLongAtLiftoff) continue;
+      liftoff = of_side;
+      liftoff.error = values.moment * wrong_at_liftoff(x);
+      liftoff.recommended = decay * kRecommendedAtLiftoff;
     }
     if (smallest.error > worst.error && smallest.error < HUGE_VAL) worst = smallest;
+    if (continues && liftoff.error > worst.error) worst = liftoff;
   }
 }
 
 std::vector<std::string> ElementErrors::warnings(int line, double largest_tension,
                                                  double largest_moment) const {
   const std::string name = mesh_.mesh->line_names[line];
-  auto [sag, bend, lift] = lines_[line];
+  auto [sag, corner, bend, lift] = lines_[line];
   std::vector<std::string> out;
   if (sag.error > kWarned * largest_tension) {
     sag.recommended = sag.length * std::sqrt(kRecommendedError * largest_tension / sag.error);
     out.push_back(advice::sags_between_nodes(name, sag, largest_tension));
+  }
+  if (corner.error > kWarned * largest_tension) {
+    // Over a sharp edge the excess is proportional to the length, on a smooth bend to its square.
+    const double fraction = kRecommendedError * largest_tension / corner.error;
+    corner.recommended = corner.recommended > 0 ? std::max(corner.length * fraction, corner.recommended)
+                                                : corner.length * std::sqrt(fraction);
+    out.push_back(advice::longer_over_volume(name, corner, largest_tension));
   }
   // The error is at most half an element's weight; a larger one has another cause.
   lift.recommended = lift.weight > 0 ? 2 * kRecommendedError * largest_tension / lift.weight : HUGE_VAL;

@@ -22,7 +22,7 @@ constexpr double kDegree = M_PI / 180;
 // these angles. By the balance of each node along the middle element, their tensions are 1 kN divided by the
 // cosine. The force across the element only balances the adjacent elements.
 std::string warning(double before, double after, double friction = 0,
-                    const std::string& type = "bending: false") {
+                    const std::string& type = "bending: false", const std::string& end_b = "free") {
   const model::Case c = io::read_case_text(fmt::format(R"(
 hawser: 1
 line_types: {{wire: {{outer_diameter: 0.05, mass_per_length: 5, EA: 1.0e8, {}}}}}
@@ -30,9 +30,10 @@ lines:
   sling:
     sections: [{{type: wire, length: 6, elements: 3}}]
     end_a: {{anchor: [0, 0, 0]}}
-    end_b: {{anchor: [5.9, 0, 0]}}
+    end_b: {}
+    start: {{points: [[0, 0, 0], [6, 0, 0]]}}
 )",
-                                                       type),
+                                                       type, end_b),
                                            "/nowhere/case.yaml");
   const run::Simulation sim(MPI_COMM_SELF, c);
   const double a = before * kDegree;
@@ -67,6 +68,16 @@ TEST(EdgeErrors, TensionOnBothSides) {
   EXPECT_EQ(text.find("reduces friction over"), std::string::npos) << text;
   EXPECT_EQ(warning(20, 0, 300), text);  // physical friction does not change the text
   EXPECT_EQ(warning(20, 0, 0, "EI: 1, GJ: 1"), "");
+}
+
+// The length over the edge then changes the tension, and so does the path of a beam.
+TEST(EdgeErrors, NoBendingStiffnessForALineThatIsHeld) {
+  const std::string text = warning(20, 0, 0, "bending: false", "{anchor: [6, 0, 0]}");
+  EXPECT_NE(
+      text.find("6 % of the largest: use elements of 0.005 m there (bending stiffness would also change"),
+      std::string::npos)
+      << text;
+  EXPECT_EQ(text.find("'EI'"), std::string::npos) << text;
 }
 
 // A beam has less friction over an edge than a cable, 1 - (60 degrees)²/24 of it.

@@ -216,5 +216,102 @@ lines:
   EXPECT_EQ(warnings(1, 1, "\n    masses: [{at: 4, mass: 100}]"), "");  // 0.07 %
 }
 
+// A cable from 10 m on one side of an edge to 10 m on the other, with one element of 1 m across it, level,
+// that turns by 0.2 rad and 0.3 rad at its nodes. It touches at 0.6 m of its length. Contact radius 0.1 m:
+// 0.6 0.2²/2 + 0.4 0.3²/2 - 0.1 (0.2³ + 0.3³)/6 = 0.030 - 0.000583 m. Straight spans of 20 m and the element
+// with T/EA = 0.2: 0.0294/4.2 of the tension.
+std::vector<std::string> warnings_over_edge(const std::string& end_b, const std::string& more, double largest,
+                                            const std::vector<bool>& on_volume = {false, true, true, false,
+                                                                                  false}) {
+  const model::Case c = io::read_case_text(fmt::format(R"(
+hawser: 1
+line_types: {{wire: {{outer_diameter: 0.2, mass_per_length: 5, EA: 5000, bending: false}}}}
+bodies:
+  ship: {{motion: {{velocity: [0.1, 0, 0]}}}}
+  buoy: {{floating: {{mass: 100, inertia: [10, 10, 10]}}}}
+lines:
+  wire:
+    sections: [{{type: wire, length: 10, elements: 1}}, {{type: wire, length: 1, elements: 1}}, {{type: wire, length: 10, elements: 1}}]
+    end_a: {{anchor: [-9.8, 0, -2]}}
+    end_b: {}
+{}
+)",
+                                                       end_b, more),
+                                           "/nowhere/case.yaml");
+  const run::Simulation sim(MPI_COMM_SELF, c);
+  State s;
+  s.resize(sim.local().nodes());
+  s.x[0] = Vec3(-10 * std::cos(0.2), 0, -10 * std::sin(0.2));
+  s.x[1] = Vec3(0, 0, 0);
+  s.x[2] = Vec3(1, 0, 0);
+  s.x[3] = Vec3(1 + 10 * std::cos(0.3), 0, -10 * std::sin(0.3));
+  ElementErrors errors(MPI_COMM_SELF, c, sim.local(), nullptr);
+  errors.update(
+      s.at_rest(),
+      {std::vector<double>(s.x.size(), 1000), {}, {}, {false, true, true, false, false}, on_volume});
+  return errors.warnings(0, largest, HUGE_VAL);
+}
+
+// 7.0 N, 3.5 % of 200 N and less than 2 % of 400 N; 1 % with a length of 1 m/3.5.
+TEST(ElementErrors, LongerThanTheCurveOverAnEdge) {
+  const std::string held = "{anchor: [10.6, 0, -3]}";
+  const std::vector<std::string> warnings = warnings_over_edge(held, "", 200);
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_EQ(
+      warnings.front(),
+      "the straight elements of line wire over a volume are 0.029 m longer than the curve over it, most at "
+      "arc length 10.5 m (elements of 1 m, turn 29 degrees, t = 0 s); because both ends of the line are "
+      "held, its tension is wrong by about 3.5 % of the largest: use elements of 0.29 m there");
+  EXPECT_TRUE(warnings_over_edge(held, "", 400).empty());
+  EXPECT_EQ(warnings_over_edge("{body: ship, at: [10.6, 0, -3]}", "", 200).size(), 1U);
+  EXPECT_TRUE(warnings_over_edge("{body: buoy, at: [10.6, 0, -3]}", "", 200).empty());
+  EXPECT_TRUE(warnings_over_edge(held, "", 200, std::vector<bool>(5, false)).empty());
+  EXPECT_TRUE(warnings_over_edge(held, "contact: {method: nodes}", 200).empty());
+}
+
+// A beam with decay length 0.5 m and elements of 1 m: the moment is constant on a volume from node 3 on and
+// decays before. x = 2: 0.06 2/1.6 = 7.5 %.
+TEST(ElementErrors, MomentWhereABendOnAVolumeBegins) {
+  const auto warnings = [](double decay, bool on_volume, const std::string& end_b = "free") {
+    const model::Case c = io::read_case_text(fmt::format(R"(
+hawser: 1
+line_types: {{pipe: {{outer_diameter: 0.1, mass_per_length: 10, EA: 1.0e8, EI: {}, GJ: 1000}}}}
+lines:
+  pipe:
+    sections: [{{type: pipe, length: 8, elements: 8}}]
+    end_a: {{anchor: [0, 0, 0]}}
+    end_b: {}
+    start: {{points: [[0, 0, 0], [8, 0, 0]]}}
+)",
+                                                         1e4 * decay * decay, end_b),
+                                             "/nowhere/case.yaml");
+    const run::Simulation sim(MPI_COMM_SELF, c);
+    ElementErrors errors(MPI_COMM_SELF, c, sim.local(), nullptr);
+    State s;
+    s.resize(9);
+    std::vector<double> moment(9);
+    std::vector<bool> touched(9);
+    for (size_t n = 0; n < 9; ++n) {
+      const double before = 3 - static_cast<double>(n);
+      s.x[n] = Vec3(static_cast<double>(n), 0, 0);
+      moment[n] = 500 * std::exp(-std::max(before, 0.0) / decay);
+      touched[n] = on_volume && n > 2;
+    }
+    errors.update(s.at_rest(), {std::vector<double>(9, 1e4), moment, touched, touched, touched});
+    const auto all = errors.warnings(0, 1e4, 500);
+    return all.empty() ? "" : all.front();
+  };
+  EXPECT_EQ(
+      warnings(0.5, true),
+      "the bending moment of line pipe decays within 0.5 m at arc length 3 m (t = 0 s), and with elements of "
+      "1 m it is wrong by about 7.5 % of the largest: use elements of 0.09 m there");
+  const std::string held = warnings(0.5, true, "{anchor: [8, 0, 0]}");
+  EXPECT_NE(held.find("7.5 % of the largest, and the tension between its held ends perhaps by more: use"),
+            std::string::npos)
+      << held;
+  EXPECT_EQ(warnings(0.5, false), "");
+  EXPECT_EQ(warnings(1.1, true), "");  // elements shorter than the decay length
+}
+
 }  // namespace
 }  // namespace hawser::record::element_errors_test

@@ -5,6 +5,8 @@
 
 namespace hawser::advice {
 
+inline constexpr double kOfContactRadius = 0.2;  // length of elements over a sharp edge, in contact radii
+
 // Place of the largest element error of a line.
 struct LongElements {
   double error = 0, arc = 0, time = 0;  // N or N m; m; s
@@ -13,11 +15,15 @@ struct LongElements {
   double decay = 0;                     // m, decay length of the moment
   double recommended = 0;               // m, sufficient element length
   double weight = 0;                    // N/m, in water
+  double excess = 0;                    // m, of straight elements over the exact curve
+  bool held = false;                    // the line is held at both ends
 };
 // largest: tension [N] or moment [N m] to which the error is relative.
-// EI [N m²]: of beams that bend within such elements. turn: rad, over a sharp edge; 0: none.
+// EI [N m²]: of beams that bend within such elements; not proposed for held lines. turn: rad, over a sharp
+// edge; 0: none.
 std::string turns_on_edge(const std::string& line, const LongElements& at, double largest, double EI,
                           double turn);
+std::string longer_over_volume(const std::string& line, const LongElements& at, double largest);
 std::string sags_between_nodes(const std::string& line, const LongElements& at, double largest);
 std::string leaves_bed_within(const std::string& line, const LongElements& at, double largest);
 std::string moment_between_nodes(const std::string& line, const LongElements& at, double largest);

@@ -463,6 +463,9 @@ struct Case : CaseDocument {
     refuse(key, fmt::format(why, std::forward<First>(first), std::forward<More>(more)...));
   }
   bool floats(int body) const { return body >= 0 && bodies[body].mass.has_value(); }
+  // True if both ends of the line are anchored or on bodies with prescribed motion, and neither is fed: its
+  // tension depends on its length.
+  bool holds_both_ends(const Line& line) const;
   // Frees the lines of which `kept` is false, except those that other objects of the case name, and bodies
   // with prescribed motion that neither the remaining lines nor other objects name; of all, their names and
   // lines in the file.

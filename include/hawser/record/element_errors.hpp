@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "hawser/advice/energy.hpp"
 #include "hawser/advice/long_elements.hpp"
 #include "hawser/base/exchange.hpp"
 #include "hawser/mesh/local_mesh.hpp"
@@ -29,6 +30,7 @@ class ElementErrors : public Recording {
     std::span<const double> moment;   // N m, of beams
     std::vector<bool> pressed;        // true where volumes or lines touch the line; empty: nowhere
     std::vector<bool> supported;      // true where contact acts on the line
+    std::vector<bool> on_volume{};    // true where volumes touch the line; empty: nowhere
   };
   // For lines that the partition cuts, the ranks that share a line send a few numbers per node to the owner
   // of its first node. Collective.
@@ -45,13 +47,14 @@ class ElementErrors : public Recording {
  private:
   using Worst = advice::LongElements;  // largest so far, per line
   struct OfLine {
-    Worst sag, bend, lift;
+    Worst sag, corner, bend, lift;
   };
   struct At {  // node of a state
     Vec3 x = Vec3::Zero();
     double tension = 0, moment = 0;
     bool pressed = false, supported = false;
     bool two_sided = false;  // Node::two_sided
+    bool on_volume = false;
   };
   struct InState {  // line in a state
     const LineSpan& line;
@@ -62,7 +65,9 @@ class ElementErrors : public Recording {
     double time;  // s
   };
   At node(size_t n, const Kinematics& state, const Values& values) const;
-  void update_sag(const InState& s, Worst& worst) const;
+  void update_sag(const InState& s, OfLine& worst) const;
+  // stiffness: N/m, tension by a change of the length of the line.
+  void update_corners(const InState& s, double stiffness, Worst& worst) const;
   void update_lifts(const InState& s, Worst& worst) const;
   void update_bends(const InState& s, Worst& worst) const;
   const model::LineType& type(const Element& e) const;
@@ -82,7 +87,7 @@ class ElementErrors : public Recording {
   int tension_ = -1, moment_ = -1;  // indices of fields
   struct TouchField {               // field with components that are nonzero in contact
     int index = 0, components = 1;
-    bool of_bed = false;
+    advice::ContactWith with = advice::ContactWith::nothing;
   };
   std::vector<TouchField> touches_;
 };
