@@ -55,7 +55,7 @@ std::string lie_on_bed(const std::vector<std::string>& lines, const std::vector<
 std::string held_without_weight(const std::string& body) {
   return fmt::format(
       "bodies.{}: statics holds it in its initial position and without its weight, since bodies have no "
-      "friction in statics; it settles, and slides where friction is too low, as dynamics begins; set "
+      "friction in statics; as dynamics begins it falls onto its contact and may bounce and slide; set "
       "'statics: {{contact_friction: true}}' to let it come to rest in contact",
       body);
 }
