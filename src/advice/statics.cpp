@@ -60,6 +60,14 @@ std::string held_without_weight(const std::string& body) {
       body);
 }
 
+std::string moved_without_friction(const std::string& body, double distance, const std::string& volume,
+                                   double friction) {
+  return fmt::format(
+      "bodies.{}: statics moves it by {:.3g} m along volume {}, on which it rests, without their friction of "
+      "{:.3g}; set 'statics: {{contact_friction: true}}' if friction holds it",
+      body, distance, volume, friction);
+}
+
 std::string unstable_equilibria_left(int equilibria) {
   return fmt::format(
       "the search passed through {} (lines buckled or snapped through, or a body heeled or capsized): the "
