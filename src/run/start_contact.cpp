@@ -83,15 +83,16 @@ double longest_element(const Mesh& mesh, const Inside& s) {
 
 // True if straight elements of this length [m] between points of the path, wherever they begin near the
 // interval, are outside the volume.
-bool outside_with(const LaidPath& path, double length, const Inside& s, double margin, const Surface& surface,
-                  const RigidPose& pose) {
+bool is_outside_with(const LaidPath& path, double length, const Inside& s, double margin,
+                     const Surface& surface, const RigidPose& pose) {
   constexpr int kBegins = 8, kSamples = 16;  // in an element
   const double last = s.to + margin;
   for (double begin = s.from - margin - length; begin < last; begin += length / kBegins) {
     const Vec3 a = path.at(begin);
     const Vec3 b = path.at(begin + length);
     for (int k = 0; k <= kSamples; ++k) {
-      const Vec3 x = a + (b - a) * k / kSamples;
+      const double fraction = static_cast<double>(k) / kSamples;
+      const Vec3 x = a + fraction * (b - a);
       const auto p = surface.query(pose.to_body(x), length);
       if (p && p->distance < 0) return false;
     }
@@ -110,7 +111,7 @@ double elements_outside(const PlacedLines& lines, const std::vector<ContactVolum
   const RigidPose pose = lines.bodies.pose(volumes[s.volume].body, lines.state);
   const double longest = longest_element(mesh, s);
   for (const int parts : {2, 3, 4, 6, 8, 12, 16, 24, 32})
-    if (outside_with(path, longest / parts, s, longest, *volumes[s.volume].surface, pose))
+    if (is_outside_with(path, longest / parts, s, longest, *volumes[s.volume].surface, pose))
       return kMargin * longest / parts;
   return 0;
 }
