@@ -15,6 +15,18 @@ namespace {
 
 constexpr double kPinnedFoot = 1.0188;  // minus the first zero of the derivative of Airy's function
 
+// Length of elements over the half wave of a buckle that they represent.
+constexpr double kPerBuckle = 0.25;
+
+// True if both ends are held and the upper one carries the line: it is higher by a quarter of the length or
+// more.
+bool has_upper_end(const model::Case& c, const model::Line& line) {
+  constexpr double kSteep = 0.25;
+  if (!model::is_held(line.end_a) || !model::is_held(line.end_b)) return false;
+  const double height = model::end_position(c, line.end_a).z() - model::end_position(c, line.end_b).z();
+  return std::abs(height) >= kSteep * model::length_of(line);
+}
+
 }  // namespace
 
 std::string when_text(const model::Case& c, double time) {
@@ -30,7 +42,8 @@ std::string utilisation_warning(const model::Case& c, const Extreme& at, const s
 
 // A beam of weight w on a pinned foot, pulled up at its top, EI theta'' = w (z - z0) theta with theta' = 0 at
 // the foot, buckles if the compression at the foot exceeds that of the first zero of Ai', 1.019 (EI
-// w²)^(1/3). A short line is a strut without stabilising weight: Euler's pi² EI/L².
+// w²)^(1/3). A short line is a strut without stabilising weight: Euler's pi² EI/L². Under the compression F
+// it buckles between supports at distances of more than L = pi √(EI/F).
 std::string compression_warning(const model::Case& c, const Extreme& at) {
   if (!(at.value < 0)) return {};
   const model::Line& line = c.line(at.line);
@@ -47,10 +60,19 @@ std::string compression_warning(const model::Case& c, const Extreme& at) {
   const double strut = M_PI * M_PI * EI / std::pow(model::length_of(line), 2);
   const double limit = std::max(kPinnedFoot * std::cbrt(EI * w * w), strut);
   if (!(-at.value > limit)) return {};
+  std::string finding = fmt::format(
+      "line {} is under an effective compression of {:.3g} kN at arc length "
+      "{:.6g} m, {}",
+      at.line, -at.value / 1000, at.arc, when_text(c, at.time));
+  if (has_upper_end(c, line))
+    return fmt::format(
+        "{}; with a pinned lower end it buckles at about {:.2g} kN: is the tension at its upper end too low?",
+        finding, limit / 1000);
+  const double supported = M_PI * std::sqrt(EI / -at.value);
   return fmt::format(
-      "line {} is under an effective compression of {:.3g} kN at arc length {:.6g} m, {}; with a pinned "
-      "lower end it buckles at about {:.2g} kN: is the tension at its upper end too low?",
-      at.line, -at.value / 1000, at.arc, when_text(c, at.time), limit / 1000);
+      "{}; it may buckle between supports that are more than {:.2g} m apart, which elements of {:.2g} m or "
+      "less represent",
+      finding, supported, kPerBuckle * supported);
 }
 
 double acceptable_penetration(const model::Case& c, const model::Line& line, const model::Volume& volume) {
@@ -61,12 +83,39 @@ double acceptable_penetration(const model::Case& c, const model::Line& line, con
   return std::max(c.contact.warned_penetration * radius, kInMotion * volume.allowed_penetration);
 }
 
-std::string penetration_warning(const model::Case& c, const Extreme& at, const model::Volume& volume) {
-  const double radius = 0.5 * model::contact_diameter_of(c, c.line(at.line));
-  const double limit = volume.depth_limit(radius, volume.basis == model::StiffnessBasis::automatic);
-  std::string advice =
-      "raise normal_stiffness where the case sets it; an automatic one is as high as the line's EA "
-      "allows: is the tension above the breaking load?";
+double acceptable_impact_penetration(const model::Case& c, const model::Line& line,
+                                     const model::Volume& volume) {
+  // An automatic stiffness is raised for impacts that would penetrate by more than half the radius; the rest
+  // is a margin.
+  constexpr double kInImpacts = 0.6;
+  const double radius = 0.5 * model::contact_diameter_of(c, line);
+  return std::max(kInImpacts * radius, acceptable_penetration(c, line, volume));
+}
+
+// In an impact of speed u the depth is u √(m/k), so that k (d/d_a)² limits d to d_a.
+std::string penetration_warning(const model::Case& c, const Extreme& at, const model::Volume& volume,
+                                const PenetratedStiffness& stiffness) {
+  const model::Line& line = c.line(at.line);
+  const double radius = 0.5 * model::contact_diameter_of(c, line);
+  const bool automatic = volume.basis == model::StiffnessBasis::automatic;
+  const double limit = volume.depth_limit(radius, automatic);
+  const double allowed = acceptable_penetration(c, line, volume);
+  std::string advice = "raise its normal_stiffness";
+  if (automatic && volume.roller)
+    advice = "give this support a 'normal_stiffness'";
+  else if (automatic && stiffness.in_impact)
+    advice = fmt::format(
+        "this is an impact, for which an automatic stiffness limits the penetration to about half the radius "
+        "only; 'normal_stiffness: {{per_length: {:.2g}}}' limits this one to about {:.2g} m",
+        stiffness.per_length * std::pow(at.value / allowed, 2), allowed);
+  else if (automatic && stiffness.highest)
+    advice =
+        "the automatic stiffness is as high as the line's EA allows: is the tension above the breaking load?";
+  else if (automatic)
+    advice = fmt::format(
+        "the automatic stiffness is not raised here, as next to held ends; 'normal_stiffness: {{per_length: "
+        "{:.2g}}}' limits the penetration to about {:.2g} m",
+        stiffness.per_length * at.value / allowed, allowed);
   if (at.value > limit)
     advice = fmt::format(
         "the contact law of the volume holds to a depth of {:.3g} m, {}: the line is trapped inside, or the "

@@ -8,8 +8,8 @@
 namespace hawser::advice {
 namespace {
 
-// Remedy: a longer stretch without contact at a held end if one is given but too short, else another start
-// shape.
+// Remedy: a longer stretch without contact at a held end if one is given but too short, shorter elements if
+// they alone are inside, else another start shape.
 std::string remedy(const model::Line& line, const InsideVolume& s) {
   const double length = s.length;
   for (const LineEnd end : kLineEnds) {
@@ -19,6 +19,11 @@ std::string remedy(const model::Line& line, const InsideVolume& s) {
       return fmt::format("'no_contact_within' of {} must be at least {:.3g} m to exclude that stretch",
                          end_key(end), at_b ? length - s.from : s.to);
   }
+  if (s.outside_with > 0)
+    return fmt::format(
+        "the points of its 'start' are outside, but straight elements between them cut the volume: give it "
+        "elements of at most {:.2g} m there",
+        s.outside_with);
   if (line.start == model::Start::points) return "move the points of its 'start' out of it";
   return "give a shape outside the volume with 'start: {points: [[x, y, z], ...]}'";
 }

@@ -55,9 +55,17 @@ std::string lie_on_bed(const std::vector<std::string>& lines, const std::vector<
 std::string held_without_weight(const std::string& body) {
   return fmt::format(
       "bodies.{}: statics holds it in its initial position and without its weight, since bodies have no "
-      "friction in statics; it settles, and slides where friction is too low, as dynamics begins; set "
+      "friction in statics; as dynamics begins it falls onto its contact and may bounce and slide; set "
       "'statics: {{contact_friction: true}}' to let it come to rest in contact",
       body);
+}
+
+std::string moved_without_friction(const std::string& body, double distance, const std::string& volume,
+                                   double friction) {
+  return fmt::format(
+      "bodies.{}: statics moves it by {:.3g} m along volume {}, on which it rests, without their friction of "
+      "{:.3g}; set 'statics: {{contact_friction: true}}' if friction holds it",
+      body, distance, volume, friction);
 }
 
 std::string unstable_equilibria_left(int equilibria) {

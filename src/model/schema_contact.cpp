@@ -116,7 +116,9 @@ Key contact() {
                "can roll without sliding (beams with method `line`)",
                or_else("false")),
        number({"penetration_warning", &Contact::warned_penetration}, none,
-              "penetration over the line's radius above which the program warns", above(0), or_else("0.1")),
+              "penetration over the line's radius above which the program warns; in impacts on an automatic "
+              "stiffness the limit is at least 0.6",
+              above(0), or_else("0.1")),
        between_lines()},
       "Contact of lines with volumes and with other lines.", or_else("{}"));
 }

@@ -6,6 +6,8 @@
 #include "hawser/advice/limits.hpp"
 #include "hawser/base/mpi.hpp"
 #include "hawser/record/contact_points.hpp"
+#include "hawser/terms/automatic_stiffness.hpp"
+#include "hawser/terms/line_volume_contact.hpp"
 
 namespace hawser::record {
 namespace {
@@ -15,19 +17,40 @@ const char* const kRecords = "deep contacts of lines";  // key in a checkpoint
 }  // namespace
 
 DeepContacts::DeepContacts(const Subject& subject)
-    : subject_(subject), volumes_(case_indices_of_volumes(subject)) {}
+    : subject_(subject),
+      contact_(subject.term<LineVolumeContact>()),
+      volumes_(case_indices_of_volumes(subject)) {}
 
 void DeepContacts::put(const Deepest& d, PerLine& to) {
   Deepest& deepest = to[d.line];
   if (d.factor > deepest.factor) deepest = d;
 }
 
+bool DeepContacts::in_impact(const ActiveContact& at, const Snapshot& s) const {
+  constexpr double kPeriods = 2;  // as ContactVolumes::require
+  const model::Case& c = subject_.model;
+  const model::Volume& volume = c.volumes[volumes_[at.volume]];
+  if (volume.basis != model::StiffnessBasis::automatic || !(s.step.h > 0)) return false;
+  double heaviest = 0;  // kg/m
+  for (const model::Section& section : c.lines[at.line].sections)
+    heaviest = std::max(heaviest, c.line_type(section.type).mass_per_length);
+  return s.step.h < kPeriods * contact_period(contact_->stiffness(at.volume), heaviest);
+}
+
 void DeepContacts::step(const Snapshot& s) {
   const model::Case& c = subject_.model;
   for (const ActiveContact& at : s.volume_contacts()) {
     const int volume = volumes_[at.volume];
-    const double factor = at.depth / advice::acceptable_penetration(c, c.lines[at.line], c.volumes[volume]);
-    if (factor > 1) put({at.line, volume, factor, at.depth, s.step.time, 0.5 * (at.from + at.to)}, of_rank_);
+    const model::Line& line = c.lines[at.line];
+    const double acceptable = advice::acceptable_penetration(c, line, c.volumes[volume]);
+    if (!(at.depth > acceptable)) continue;
+    const bool impact = in_impact(at, s);
+    const double factor =
+        at.depth / (impact ? advice::acceptable_impact_penetration(c, line, c.volumes[volume]) : acceptable);
+    if (factor > 1)
+      put({at.line, volume, factor, at.depth, s.step.time, 0.5 * (at.from + at.to),
+           contact_->stiffness(at.volume), impact, contact_->has_largest_stiffness(at.volume)},
+          of_rank_);
   }
 }
 
@@ -48,7 +71,8 @@ std::vector<Warning> DeepContacts::warnings(const std::vector<io::SummaryRow>& s
     const auto row = std::find_if(summary.begin(), summary.end(), [&](const io::SummaryRow& r) {
       return r.quantity == "max penetration" && r.line == name;
     });
-    out.push_back({advice::penetration_warning(c, {name, d.depth, d.time, d.arc_length}, c.volumes[d.volume]),
+    out.push_back({advice::penetration_warning(c, {name, d.depth, d.time, d.arc_length}, c.volumes[d.volume],
+                                               {d.stiffness, d.impact > 0, d.stiffest > 0}),
                    row == summary.end() ? Warning::kWholeRun : static_cast<size_t>(row - summary.begin())});
   }
   return out;

@@ -18,6 +18,7 @@
 #include "hawser/record/recorder.hpp"
 #include "hawser/record/result_parts.hpp"
 #include "hawser/record/water_errors.hpp"
+#include "hawser/run/bodies_moved_by_statics.hpp"
 #include "hawser/run/cost.hpp"
 #include "hawser/run/driver.hpp"
 #include "hawser/run/events.hpp"
@@ -97,6 +98,9 @@ TrialRun print_trial(Simulation& sim, const model::Case& c, double budget) {
         fmt::print("warning: {}\n", w);
       for (const std::string& w : platforms_tilted(comm, c, sim.bodies(), state))
         fmt::print("warning: {}\n", w);
+      if (!sim.contact_friction_in_statics())
+        for (const std::string& note : bodies_moved_by_statics(c, sim.system(), sim.bodies(), state))
+          fmt::print("note: {}\n", note);
     }
     water.update_sampled(state);
   });

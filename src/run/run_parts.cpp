@@ -19,6 +19,7 @@
 #include "hawser/model/farm.hpp"
 #include "hawser/model/notes.hpp"
 #include "hawser/model/schema.hpp"
+#include "hawser/run/bodies_moved_by_statics.hpp"
 #include "hawser/run/events.hpp"
 #include "hawser/run/hull_check.hpp"
 #include "hawser/run/lines_on_bed.hpp"
@@ -125,6 +126,9 @@ StaticsReport solve_static_stages(Simulation& sim, Events& events, Progress& pro
   progress.print_warnings(model::notes_by_place(
       sim.model(),
       platforms_off_start(sim.system().comm(), sim.model(), sim.bodies(), sim.state().at_rest())));
+  if (!sim.contact_friction_in_statics())
+    progress.print_notes(
+        bodies_moved_by_statics(sim.model(), sim.system(), sim.bodies(), sim.state().at_rest()));
   return last;
 }
 

@@ -43,8 +43,77 @@ std::vector<Inside> all_inside(const PlacedLines& lines, const std::vector<Conta
   return out;
 }
 
-advice::InsideVolume inside_volume(const Inside& s, const Mesh& mesh) {
-  return {s.from, s.to, s.at, s.depth, s.place, mesh.lines[s.line].length};
+advice::InsideVolume inside_volume(const Inside& s, const Mesh& mesh, double outside_with) {
+  return {s.from, s.to, s.at, s.depth, s.place, mesh.lines[s.line].length, outside_with};
+}
+
+// Polyline along which a line is laid at equal fractions of both lengths.
+class LaidPath {
+ public:
+  LaidPath(const std::vector<Vec3>& points, double line_length) : points_(points), line_length_(line_length) {
+    for (size_t i = 1; i < points.size(); ++i)
+      ends_.push_back(ends_.back() + (points[i] - points[i - 1]).norm());
+  }
+  // arc: of the line, m.
+  Vec3 at(double arc) const {
+    const double s = std::clamp(arc / line_length_, 0.0, 1.0) * ends_.back();
+    size_t i = 1;
+    while (i + 1 < points_.size() && s > ends_[i]) ++i;
+    const double z = (s - ends_[i - 1]) / (ends_[i] - ends_[i - 1]);
+    return points_[i - 1] + z * (points_[i] - points_[i - 1]);
+  }
+
+ private:
+  const std::vector<Vec3>& points_;
+  double line_length_ = 0;
+  std::vector<double> ends_{0};
+};
+
+// Longest of the elements that are partly in the interval, m of arc length.
+double longest_element(const Mesh& mesh, const Inside& s) {
+  const LineSpan& span = mesh.lines[s.line];
+  double longest = 0;
+  for (int n = span.first_node; n + 1 < span.first_node + span.nodes; ++n) {
+    const double from = mesh.node(n).arc;
+    const double to = mesh.node(n + 1).arc;
+    if (to > s.from && from < s.to) longest = std::max(longest, to - from);
+  }
+  return longest;
+}
+
+// True if straight elements of this length [m] between points of the path, wherever they begin near the
+// interval, are outside the volume.
+bool is_outside_with(const LaidPath& path, double length, const Inside& s, double margin,
+                     const Surface& surface, const RigidPose& pose) {
+  constexpr int kBegins = 8, kSamples = 16;  // in an element
+  const double last = s.to + margin;
+  for (double begin = s.from - margin - length; begin < last; begin += length / kBegins) {
+    const Vec3 a = path.at(begin);
+    const Vec3 b = path.at(begin + length);
+    for (int k = 0; k <= kSamples; ++k) {
+      const double fraction = static_cast<double>(k) / kSamples;
+      const Vec3 x = a + fraction * (b - a);
+      const auto p = surface.query(pose.to_body(x), length);
+      if (p && p->distance < 0) return false;
+    }
+  }
+  return true;
+}
+
+// InsideVolume::outside_with.
+double elements_outside(const PlacedLines& lines, const std::vector<ContactVolume>& volumes,
+                        const Inside& s) {
+  constexpr double kMargin = 0.95;
+  const model::Line& line = lines.c.lines[s.line];
+  if (line.start != model::Start::points || line.points.size() < 2) return 0;
+  const Mesh& mesh = *lines.mesh.mesh;
+  const LaidPath path(line.points, mesh.lines[s.line].length);
+  const RigidPose pose = lines.bodies.pose(volumes[s.volume].body, lines.state);
+  const double longest = longest_element(mesh, s);
+  for (const int parts : {2, 3, 4, 6, 8, 12, 16, 24, 32})
+    if (is_outside_with(path, longest / parts, s, longest, *volumes[s.volume].surface, pose))
+      return kMargin * longest / parts;
+  return 0;
 }
 
 // Shortens a list of sentences; more: function for the sentence about the rest, from their number.
@@ -221,7 +290,7 @@ std::string inside_text(const PlacedLines& lines, const ContactVolume& volume,
   std::vector<Inside> inside = all_inside(lines, {volume});
   remove_excluded(inside, excluded_ends, mesh);
   if (inside.empty()) return "";
-  return advice::line_inside(mesh.line_names[inside.front().line], inside_volume(inside.front(), mesh));
+  return advice::line_inside(mesh.line_names[inside.front().line], inside_volume(inside.front(), mesh, 0));
 }
 
 StartContact start_contact(const PlacedLines& start, const std::vector<ContactVolume>& volumes) {
@@ -238,9 +307,11 @@ StartContact start_contact(const PlacedLines& start, const std::vector<ContactVo
   std::erase_if(out.inside, [&](const Inside& s) { return volumes[s.volume].off; });
   const std::vector<Inside> all = out.inside;
   remove_excluded(out.inside, out.excluded_ends, mesh);
-  for (const Inside& s : out.inside)
-    out.warnings.push_back(
-        advice::starts_inside(c.lines[s.line], volumes[s.volume].settings.name, inside_volume(s, mesh)));
+  for (const Inside& s : out.inside) {
+    out.outside_with.push_back(elements_outside(start, volumes, s));
+    out.warnings.push_back(advice::starts_inside(c.lines[s.line], volumes[s.volume].settings.name,
+                                                 inside_volume(s, mesh, out.outside_with.back())));
+  }
   shorten(out.notes, advice::more_ends_excluded);
   shorten(out.warnings, advice::more_stretches_inside);
   for (std::string& warning : lines_on_wrong_side(start, volumes, all))
@@ -260,9 +331,11 @@ std::string still_inside(const PlacedLines& lines, const std::vector<ContactVolu
       return before.line == s.line && before.volume == s.volume && before.from <= s.to &&
              s.from <= before.to && s.depth > kOnSurface * before.depth;
     };
-    if (std::none_of(start.inside.begin(), start.inside.end(), was_inside)) continue;
-    return advice::stays_inside(c.lines[s.line], volumes[s.volume].settings.name, inside_volume(s, mesh),
-                                c.statics.enabled);
+    const auto before = std::find_if(start.inside.begin(), start.inside.end(), was_inside);
+    if (before == start.inside.end()) continue;
+    const double outside_with = start.outside_with[before - start.inside.begin()];
+    return advice::stays_inside(c.lines[s.line], volumes[s.volume].settings.name,
+                                inside_volume(s, mesh, outside_with), c.statics.enabled);
   }
   return "";
 }

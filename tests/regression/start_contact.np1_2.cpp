@@ -183,6 +183,24 @@ TEST(StartContact, WhatStaticsBringsOutIsAccepted) {
   EXPECT_EQ(refused(r), "");
 }
 
+// The points pass over the bar at (0, 0, 0.52). A straight element of 20.8/41 m between them, with this
+// corner in its middle, is at z = 0.482 m, one of half that length at 0.501 m.
+TEST(StartContact, ElementsThatCutTheBarWhileTheirPointsAreOutside) {
+  const std::string path = folder("start_contact_corner") + "/corner.yaml";
+  write_case(path, kBollard,
+             {{"elements: 40", "elements: 41"},
+              {"HEIGHT", "-1"},
+              {"HEIGHT", "-1"},
+              {"HEIGHT", "-1"},
+              {"MIDDLE", "0.52"},
+              {"HEIGHT", "-1"},
+              {"STATICS", ""}});
+  Ready r = ready(path);
+  EXPECT_HAS(join(r.sim->warnings()),
+             "; the points of its 'start' are outside, but straight elements between them cut the volume: "
+             "give it elements of at most 0.24 m there");
+}
+
 TEST(StartContact, WithoutStaticsItIsRefused) {
   const std::string path = bollard("-1", "0.2", "statics: false\ndynamics: {duration: 1}");
   run::RunOptions o;

@@ -36,6 +36,24 @@ bodies:
 """
 
 
+# A crate of 98 kN on a floor with friction 0.5, and a rope to an anchor at the height of its end. Rope and crate pull apart by
+# less than the friction.
+CRATE = """\
+hawser: 1
+volumes:
+  floor: {shape: {plane: {point: [0, 0, 0], normal: [0, 0, 1]}}, friction: 0.5}
+  crate: {shape: {box: {centre: [0, 0, 0], size: [2, 2, 2]}}, body: crate, normal_stiffness: {per_length: 1.0e7}, friction: 0.5}
+bodies: {crate: {position: [0, 0, 1], floating: {mass: 10 t, inertia: [6667, 6667, 6667], weight: true}}}
+line_types: {rope: {outer_diameter: 0.05, mass_per_length: 10, EA: 1.0e8, bending: false}}
+lines:
+  rope:
+    sections: [{type: rope, length: 31, elements: 30}]
+    end_a: {body: crate, at: [1, 0, 1]}
+    end_b: {anchor: [31, 0, 9]}
+contact: {lines: []}
+"""
+
+
 class RestMessagesTest(unittest.TestCase):
     def setUp(self):
         self.folder = Path(tempfile.mkdtemp())
@@ -75,6 +93,15 @@ class RestMessagesTest(unittest.TestCase):
             self.assertEqual(text.count(tilted), 1, text)
         for text in self.texts(FLOAT, "bodies.float.floating.mass=261800", "bodies.float.floating.loads[0].moment[1]=2e5"):
             self.assertNotIn("comes to rest", text)
+
+    def test_body_moved_without_friction(self):
+        """The rope hangs from the anchor and lies slack towards the crate, which slides until the rope pulls vertically: by metres."""
+        moved = r"note: bodies\.crate: statics moves it by \d+(\.\d+)? m along volume floor, on which it rests, without their friction of " \
+                r"0\.5; set 'statics: {contact_friction: true}' if friction holds it"
+        for text in self.texts(CRATE):
+            self.assertRegex(text, moved)
+        for text in self.texts(CRATE, "statics={contact_friction: true}"):
+            self.assertNotIn("statics moves it", text)
 
 
 if __name__ == "__main__":

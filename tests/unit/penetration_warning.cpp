@@ -10,7 +10,8 @@
 namespace hawser::test::penetration_warning_test {
 namespace {
 
-std::string warning(double depth, const model::Volume& volume) {
+std::string warning(double depth, const model::Volume& volume,
+                    const advice::PenetratedStiffness& stiffness = {}) {
   model::Case c;
   model::LineType& type = c.line_types.emplace_back();
   type.name = "rope";
@@ -18,7 +19,7 @@ std::string warning(double depth, const model::Volume& volume) {
   model::Line& line = c.lines.emplace_back();
   line.name = "mooring";
   line.sections = {{"rope", 10, 5}};
-  return advice::penetration_warning(c, {"mooring", depth, 3, 5}, volume);
+  return advice::penetration_warning(c, {"mooring", depth, 3, 5}, volume, stiffness);
 }
 
 TEST(PenetrationWarning, WithoutATableTheLawHoldsToTheRadius) {
@@ -42,6 +43,21 @@ TEST(PenetrationWarning, APlaneWithAGivenStiffnessHasNoLimit) {
   EXPECT_EQ(warning(0.15, volume).find("holds to a depth"), std::string::npos);
   volume.basis = model::StiffnessBasis::automatic;
   EXPECT_NE(warning(0.15, volume).find("holds to a depth"), std::string::npos);
+}
+
+// The radius is 0.1 m, so that 0.01 m is acceptable at rest and 0.06 m in an impact. 0.08 m on 1e6 N/m per m
+// requires a stiffness of 8 times that under a static force, 64 times in an impact.
+TEST(PenetrationWarning, OnAnAutomaticStiffness) {
+  EXPECT_NE(warning(0.08, {}, {1e6, true, false}).find("this is an impact"), std::string::npos);
+  EXPECT_NE(warning(0.08, {}, {1e6, true, false})
+                .find("'normal_stiffness: {per_length: 6.4e+07}' limits this one to about 0.01 m"),
+            std::string::npos);
+  EXPECT_NE(warning(0.08, {}, {1e6, false, false})
+                .find("'normal_stiffness: {per_length: 8e+06}' limits the penetration to about 0.01 m"),
+            std::string::npos);
+  EXPECT_EQ(warning(0.08, {}, {1e6, false, false}).find("breaking load"), std::string::npos);
+  EXPECT_NE(warning(0.08, {}, {1e6, false, true}).find("is the tension above the breaking load?"),
+            std::string::npos);
 }
 
 }  // namespace

@@ -26,8 +26,18 @@ std::string curvature_warning(const model::Case& c, const Extreme& at);
 // Penetration [m] of a line into a volume that needs no warning: a fraction of the line's radius, or about
 // twice the `allowed_penetration` of the volume.
 double acceptable_penetration(const model::Case& c, const model::Line& line, const model::Volume& volume);
-// For a penetration of the volume above acceptable_penetration().
-std::string penetration_warning(const model::Case& c, const Extreme& at, const model::Volume& volume);
+// Likewise in an impact on an automatic stiffness: about half the radius.
+double acceptable_impact_penetration(const model::Case& c, const model::Line& line,
+                                     const model::Volume& volume);
+// Automatic stiffness of a volume at the time of a penetration.
+struct PenetratedStiffness {
+  double per_length = 0;   // N/m per m
+  bool in_impact = false;  // the time step resolves an impact
+  bool highest = false;    // it has its largest value
+};
+// For a penetration of the volume above the acceptable one; stiffness: for an automatic one.
+std::string penetration_warning(const model::Case& c, const Extreme& at, const model::Volume& volume,
+                                const PenetratedStiffness& stiffness = {});
 // `minimum_bend_radius` of a line type without bending.
 std::string bend_radius_without_bending(const std::string& type);
 // Design tension of a pipe over its yield tension.

@@ -13,6 +13,8 @@ struct InsideVolume {
   double at = 0, depth = 0;   // deepest point, and its depth
   Vec3 place = Vec3::Zero();  // of the deepest point, in space
   double length = 0;          // of the line
+  // Length of elements with which a line on its start points is outside; 0: none, or its points are inside.
+  double outside_with = 0;
 };
 // A clause for a volume that is switched on.
 std::string line_inside(const std::string& line, const InsideVolume& s);

@@ -29,6 +29,10 @@ std::string lie_below_water(const std::vector<std::string>& lines, double below,
                             bool with_anchor);
 // A body with weight that only friction on other bodies would hold.
 std::string held_without_weight(const std::string& body);
+// A body that statics moves by `distance` [m] along a volume with this coefficient of friction, which it
+// excludes.
+std::string moved_without_friction(const std::string& body, double distance, const std::string& volume,
+                                   double friction);
 // Unstable equilibria that statics left; number of negative eigenvalues of the one found.
 std::string unstable_equilibria_left(int equilibria);
 std::string unstable_at_rest(long eigenvalues);

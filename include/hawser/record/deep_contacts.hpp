@@ -8,6 +8,10 @@
 #include "hawser/record/recording.hpp"
 #include "hawser/record/subject.hpp"
 
+namespace hawser {
+class LineVolumeContact;
+}  // namespace hawser
+
 namespace hawser::record {
 
 class DeepContacts : public Recording {
@@ -30,6 +34,8 @@ class DeepContacts : public Recording {
     int line = -1, volume = -1;  // indices into the case
     double factor = 1;           // depth over the acceptable depth
     double depth = 0, time = 0, arc_length = 0;
+    double stiffness = 0;          // N/m per m, automatic
+    int impact = 0, stiffest = 0;  // 1: advice::PenetratedStiffness::in_impact, highest
 
     template <class Self, class Each>
     static void quantities(Self& self, Each&& each) {
@@ -39,13 +45,19 @@ class DeepContacts : public Recording {
       each("depth", "m", self.depth);
       each("time", "s", self.time);
       each("arc length", "m", self.arc_length);
+      each("stiffness", "N/m^2", self.stiffness);
+      each("impact", "", self.impact);
+      each("stiffest", "", self.stiffest);
     }
   };
   using PerLine = std::map<int, Deepest>;  // lines with unacceptable depths only
   static void put(const Deepest& d, PerLine& to);
+  // True if the step is as short as those that resolve an impact on the stiffness of the volume.
+  bool in_impact(const ActiveContact& at, const Snapshot& s) const;
 
   const Subject& subject_;
-  std::vector<int> volumes_;  // of the term: index into Case::volumes
+  const LineVolumeContact* contact_;  // null: no volumes
+  std::vector<int> volumes_;          // of the term: index into Case::volumes
   PerLine of_rank_, of_run_;
 };
 

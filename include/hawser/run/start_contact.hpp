@@ -14,6 +14,7 @@ namespace hawser::run {
 struct StartContact {
   std::vector<ExcludedEnds> excluded_ends;  // given by the case, or inside next to a held end
   std::vector<Inside> inside;               // other stretches inside; statics must move them out
+  std::vector<double> outside_with;         // m, by `inside`: InsideVolume::outside_with
   std::vector<std::string> notes;           // default exclusions, one sentence each
   std::vector<std::string> warnings;        // about stretches inside and lines on the wrong side of a volume
 };

@@ -99,6 +99,10 @@ class ContactVolumes {
 
   // Stiffness of the last accepted state, in the volume's basis.
   double stiffness(int volume) const { return committed_[volume]; }
+  // True if an automatic stiffness has its largest value.
+  bool has_largest_stiffness(int volume) const {
+    return at(volume).automatic && !(stiffness(volume) < at(volume).max_stiffness);
+  }
   bool automatic(int volume) const { return at(volume).automatic; }
   bool any_automatic() const;
   // Raises each automatic stiffness to that of a checkpoint, by volume; 0 on ranks that have not read it.

@@ -77,6 +77,7 @@ class LineVolumeContact final : public ForceTerm,
   const std::string& volume_name(int volume) const { return volumes_.settings(volume).name; }
   // Stiffness in the volume's basis; if it is automatic, as raised in accepted states.
   double stiffness(int volume) const { return volumes_.stiffness(volume); }
+  bool has_largest_stiffness(int volume) const { return volumes_.has_largest_stiffness(volume); }
   // For what this rank counts: largest penetration over the run (with the node at the nearer end of the
   // element), number of pairs of an element and a volume in contact, number of candidate pairs in the step.
   Penetration largest_penetration() const;
