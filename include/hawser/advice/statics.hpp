@@ -41,10 +41,10 @@ struct HookedLines {
 };
 // Dynamic relaxation that takes unusually long.
 struct LongRelaxation {
-  int steps = 0;                      // so far
-  bool line_pairs = false;            // lines may touch one another
-  bool slides_freely = false;         // lines touch volumes without friction
-  std::optional<HookedLines> hooked;  // without friction in statics
+  int steps = 0;                           // so far
+  bool line_pairs = false;                 // lines may touch one another
+  bool slides_freely = false;              // lines touch volumes without friction
+  std::optional<HookedLines> hooked = {};  // without friction in statics
 };
 std::string long_relaxation(const LongRelaxation& r);
 // Reason why statics ends without an equilibrium; at: place of the largest residual; limit: of Newton's
