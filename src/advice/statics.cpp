@@ -83,9 +83,28 @@ std::string unstable_at_rest(long eigenvalues) {
       count_of(eigenvalues, "negative eigenvalue"));
 }
 
+namespace {
+
+std::string hooked_lines(const HookedLines& h) {
+  return fmt::format(
+      "line {} at arc length {:.4g} m and line {} at {:.4g} m hold each other and slide without friction",
+      h.line, h.arc, h.other, h.other_arc);
+}
+
+std::string hold_by_friction(const HookedLines& h) {
+  return h.friction
+             ? "'statics: {contact_friction: true}' lets them come to rest"
+             : "'friction' in 'contact: {between_lines: ...}' with 'statics: {contact_friction: true}' "
+               "lets them come to rest";
+}
+
+}  // namespace
+
 std::string long_relaxation(const LongRelaxation& r) {
   std::vector<std::string> ways;
-  if (r.line_pairs)
+  if (r.hooked)
+    ways.push_back(hooked_lines(*r.hooked) + ": " + hold_by_friction(*r.hooked));
+  else if (r.line_pairs)
     ways.emplace_back(
         "if folds of slack lines touch one another, 'contact: {between_lines: false}' excludes that contact "
         "and may help");
@@ -93,8 +112,8 @@ std::string long_relaxation(const LongRelaxation& r) {
     ways.emplace_back(
         "if a line slides along a volume, 'friction' of that volume with 'statics: {contact_friction: true}' "
         "holds it");
-  return fmt::format("statics has not come to rest in {} of dynamic relaxation; {}",
-                     count_of(r.steps, "step"), fmt::join(ways, "; "));
+  return fmt::format("statics has not come to rest in {} of dynamic relaxation{}{}",
+                     count_of(r.steps, "step"), ways.empty() ? "" : "; ", fmt::join(ways, "; "));
 }
 
 std::string automatic_stiffness_unsettled() {
@@ -161,10 +180,13 @@ std::string singular_mooring() {
          "rest";
 }
 
-std::string statics_failed(const model::Case& c) {
+std::string statics_failed(const model::Case& c, const std::optional<HookedLines>& hooked) {
   std::vector<std::string> ways;
   const bool has_friction = c.contact.has_friction(c.volumes);
   const bool with_friction = c.statics.contact_friction.value_or(has_friction);  // has been tried
+  if (hooked && !with_friction)
+    return fmt::format("statics has failed: {}; {}; see docs/how-to/failing-runs.md", hooked_lines(*hooked),
+                       hold_by_friction(*hooked));
   const bool on_mesh =
       !c.lines.empty() &&
       std::any_of(c.volumes.begin(), c.volumes.end(), [](const model::Volume& v) { return !v.mesh.empty(); });
@@ -197,7 +219,7 @@ std::string statics_failed(const model::Case& c) {
       ways.push_back(fmt::format("'start: {{points: ...}}' of line {}, near where it will rest", line.name));
       break;
     }
-  if (c.contact.between_lines.enabled && !c.lines.empty())
+  if (!hooked && c.contact.between_lines.enabled && !c.lines.empty())
     ways.emplace_back("'contact: {between_lines: false}'");
   if (std::any_of(c.bodies.begin(), c.bodies.end(), [](const model::Body& b) { return bool(b.mass); }))
     ways.emplace_back(

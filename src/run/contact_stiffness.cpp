@@ -12,7 +12,7 @@ void choose_stiffness(const model::Case& c, const Mesh& mesh, ContactVolume& vol
                       std::vector<std::string>& notes) {
   model::Volume& v = volume.settings;
   AutomaticStiffness best;
-  double mass = 0, radius = 0, largest = 0;
+  double mass = 0, radius = 0, largest = 0, largest_end_on = 0;
   const auto weight_of = [&](int type) {  // N/m
     return c.line_types[type].mass_per_length * c.environment.gravity;
   };
@@ -33,6 +33,7 @@ void choose_stiffness(const model::Case& c, const Mesh& mesh, ContactVolume& vol
     d.allowed_penetration = v.allowed_penetration;
     const AutomaticStiffness s = automatic_contact_stiffness(d);
     largest = std::max(largest, largest_stiffness(d));
+    largest_end_on = std::max(largest_end_on, largest_stiffness_end_on(d.EA, d.radius));
     if (s.per_length > best.per_length) {
       best = s;
       mass = t.mass_per_length;
@@ -46,6 +47,7 @@ void choose_stiffness(const model::Case& c, const Mesh& mesh, ContactVolume& vol
   if (!v.smoothing && !(v.relative_damping > 0)) v.smoothing = 2e-5 * radius;
   volume.automatic = true;
   volume.max_stiffness = std::max(largest, best.per_length);
+  volume.max_stiffness_end_on = std::max(largest_end_on, best.per_length);
   const double bounce = 0.5 * contact_period(best.per_length, mass);
   const double step = c.dynamics.step;
   const bool too_short = c.dynamics.enabled && step > 0 && bounce < 1.5 * step;

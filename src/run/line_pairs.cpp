@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 #include <tuple>
 
 #include "hawser/advice/line_pairs.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/math/ordered.hpp"
 #include "hawser/model/check.hpp"
 #include "hawser/model/cut_lines.hpp"
@@ -149,6 +151,43 @@ std::string shared_places_note(const SharedPlaces& places, const Mesh& mesh) {
   const std::string one = name(places.place(farthest).one);
   const std::string other = name(places.place(farthest).other);
   return advice::separate_near_place(one, other, places.free_length(farthest), others);
+}
+
+std::optional<advice::HookedLines> hooked_lines(const System& system, const Kinematics& evaluated) {
+  const LinePairs* pairs = system.find<LinePairs>();
+  if (!pairs) return std::nullopt;
+  ActiveContacts contacts;
+  pairs->active_contacts(evaluated, contacts);
+  const Mesh& mesh = *system.mesh().mesh;
+  std::vector<LineTension> lines(mesh.lines.size());
+  for (const HasAxialStiffness* t : system.with<HasAxialStiffness>()) t->tensions(evaluated, lines);
+  std::vector<double> tensions;
+  for (const LineTension& t : lines) tensions.push_back(t.tension);
+  all_reduce(system.comm(), MPI_MAX, tensions);
+
+  struct Sum {
+    double force = 0, arc = 0, other_arc = 0;  // N, N m, N m
+  };
+  std::map<std::pair<int, int>, Sum> sums;
+  for (const ActiveContact& c : gather_all(system.comm(), contacts)) {
+    if (c.line == c.other_line || !(c.force > 0)) continue;
+    Sum& sum = sums[{c.line, c.other_line}];
+    sum.force += c.force;
+    sum.arc += c.force * 0.5 * (c.from + c.to);
+    sum.other_arc += c.force * 0.5 * (c.other_from + c.other_to);
+  }
+  const Sum* largest = nullptr;
+  advice::HookedLines out;
+  for (const auto& [pair, sum] : sums) {
+    if (!(sum.force > std::min(tensions[pair.first], tensions[pair.second]))) continue;
+    if (largest && sum.force <= largest->force) continue;
+    largest = &sum;
+    out = {.line = mesh.line_names[pair.first],
+           .other = mesh.line_names[pair.second],
+           .arc = sum.arc / sum.force,
+           .other_arc = sum.other_arc / sum.force};
+  }
+  return largest ? std::optional(out) : std::nullopt;
 }
 
 }  // namespace hawser::run

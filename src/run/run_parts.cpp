@@ -7,6 +7,7 @@
 
 #include <ctime>
 #include <memory>
+#include <optional>
 #ifdef __GLIBC__
 #include <malloc.h>
 #endif
@@ -22,6 +23,7 @@
 #include "hawser/run/bodies_moved_by_statics.hpp"
 #include "hawser/run/events.hpp"
 #include "hawser/run/hull_check.hpp"
+#include "hawser/run/line_pairs.hpp"
 #include "hawser/run/lines_on_bed.hpp"
 #include "hawser/run/targets.hpp"
 #include "hawser/run/version.hpp"
@@ -78,11 +80,21 @@ model::Case with_targets_met(MPI_Comm comm, model::Case c, const std::vector<Loa
 
 namespace {
 
-StaticsReport solve_one(Simulation& sim, Progress& progress, StartsFrom from) {
+// Lines that hold each other without friction; none with friction. Collective.
+std::optional<advice::HookedLines> hooked_without_friction(Simulation& sim) {
+  if (sim.contact_friction_in_statics()) return std::nullopt;
+  std::optional<advice::HookedLines> hooked = hooked_lines(sim.system(), sim.state().at_rest());
+  if (hooked) hooked->friction = sim.model().contact.has_friction({});
+  return hooked;
+}
+
+// hooked: lines that hold each other after many steps.
+StaticsReport solve_one(Simulation& sim, Progress& progress, StartsFrom from,
+                        std::optional<advice::HookedLines>& hooked) {
   constexpr int kManySteps = 500;  // of dynamic relaxation; more is unusual
   const model::Case& c = sim.model();
   const size_t before = sim.notes().size();
-  const advice::LongRelaxation relaxation{
+  advice::LongRelaxation relaxation{
       .steps = kManySteps,
       .line_pairs = sim.line_pairs() != nullptr,
       .slides_freely = sim.line_volume_contact() && !sim.contact_friction_in_statics()};
@@ -92,6 +104,7 @@ StaticsReport solve_one(Simulation& sim, Progress& progress, StartsFrom from) {
         progress.statics(now.iterations, now.relaxation_steps, now.norms.relative());
         if (reported || now.relaxation_steps < kManySteps) return;
         reported = true;
+        relaxation.hooked = hooked = hooked_without_friction(sim);
         progress.print("note: " + advice::long_relaxation(relaxation));
       },
       from);
@@ -116,11 +129,14 @@ StaticsReport solve_one(Simulation& sim, Progress& progress, StartsFrom from) {
 StaticsReport solve_static_stages(Simulation& sim, Events& events, Progress& progress,
                                   const std::function<void(size_t)>& on_equilibrium) {
   StaticsReport last;
+  std::optional<advice::HookedLines> hooked;
   try {
-    events.solve_stages([&](StartsFrom from) { last = solve_one(sim, progress, from); },
+    events.solve_stages([&](StartsFrom from) { last = solve_one(sim, progress, from, hooked); },
                         [&](const std::string& text) { progress.print(text); }, on_equilibrium);
   } catch (const SolveError&) {
-    if (rank_of(sim.system().comm()) == 0) progress.print("note: " + advice::statics_failed(sim.model()));
+    if (!hooked) hooked = hooked_without_friction(sim);
+    if (rank_of(sim.system().comm()) == 0)
+      progress.print("note: " + advice::statics_failed(sim.model(), hooked));
     throw;
   }
   progress.print_warnings(model::notes_by_place(

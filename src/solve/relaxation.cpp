@@ -46,8 +46,8 @@ class Relaxation : StaticTrial {
     check(SNESSetTolerances(snes_.get(), 0, 0, 0, kMaxOnKinks, PETSC_DEFAULT));
   }
 
-  RelaxationReport run() {
-    RelaxationReport report;
+  void run(RelaxationReport& report) {
+    const int before = report.tried();
     double smallest = 0, kinetic = 0;
     int free = 0;  // steps since the last rejection
     if (settings_.pushed > 0) push_state(settings_.pushed);
@@ -56,10 +56,10 @@ class Relaxation : StaticTrial {
       system_.residual(state_.at_rest(), r_.get());
       report.norms = system_.norms(r_.get());
       if (settings_.progress) settings_.progress(report);
-      if (report.norms.small(settings_.tolerance)) return report;
+      if (report.norms.small(settings_.tolerance)) return;
       if (mass_ == 0) mass_ = smallest = first_mass(report.norms);
-      if (report.steps + report.rejected >= settings_.max_steps || mass_ > kHeaviest * smallest ||
-          !std::isfinite(report.norms.relative()) || test_progress(report)) {
+      if (report.tried() >= settings_.max_steps || mass_ > kHeaviest * smallest ||
+          !std::isfinite(report.norms.relative()) || test_progress(report.tried() - before, report.norms)) {
         check_bodies();
         throw_no_equilibrium(advice::no_rest(report.steps, imbalance(system_, r_.get(), report.norms)));
       }
@@ -75,7 +75,7 @@ class Relaxation : StaticTrial {
       accept_trial();
       if (++free > kForgetsRejection) blocked_by_.reset();
       if (iterations <= kEasyIterations) scale_mass(kLighter);
-      if (kinks_.active() && rests_on_kinks(report)) return report;
+      if (kinks_.active() && rests_on_kinks(report)) return;
       if (settings_.friction) {
         system_.commit(state_.at_rest());
         check_bodies();
@@ -105,10 +105,9 @@ class Relaxation : StaticTrial {
   // Every kWatched steps, tried again or not: returns true if the iteration stagnates. If the imbalance has
   // not halved, relaxation continues without momentum if it had it, and vice versa: drag has no potential and
   // can feed a motion that kinetic damping does not end.
-  bool test_progress(const RelaxationReport& report) {
-    const int tried = report.steps + report.rejected;
+  bool test_progress(int tried, const ResidualNorms& now) {
     if (tried % kWatched != 0) return false;
-    const Progress since = progress(report.norms);
+    const Progress since = progress(now);
     if (!since.halved) viscous_ = !viscous_;
     return since.stagnates;
   }
@@ -223,8 +222,8 @@ class Relaxation : StaticTrial {
 
 }  // namespace
 
-RelaxationReport relax(System& system, const RelaxationSettings& settings, State& state) {
-  return Relaxation(system, settings, state).run();
+void relax(System& system, const RelaxationSettings& settings, State& state, RelaxationReport& report) {
+  Relaxation(system, settings, state).run(report);
 }
 
 }  // namespace hawser

@@ -438,7 +438,8 @@ double StaticSearch::distance_from(const State& from) const {
 }
 
 bool StaticSearch::relax_from_push() {
-  const RelaxationReport r = relax(system_, *relaxation_, state_);
+  RelaxationReport r;
+  relax(system_, *relaxation_, state_, r);
   report_.iterations += r.iterations;
   report_.relaxation_steps += r.steps;
   prepare_again();

@@ -38,12 +38,13 @@ StaticsReport relax_then_newton(System& system, const StaticsSettings& settings,
   RelaxationReport relaxed;
   const State from = state;
   try {
-    relaxed = relax(system, r, state);
-  } catch (const SolveError&) {  // the start shape may have been in a plane or have had another symmetry
-    state = from;
+    relax(system, r, state, relaxed);
+  } catch (const SolveError&) {
+    if (relaxed.tried() >= r.max_steps) throw;
+    state = from;  // the start shape may have been in a plane or have had another symmetry
     system.update_ghosts(state);
     r.pushed = 1;
-    relaxed = relax(system, r, state);
+    relax(system, r, state, relaxed);
   }
   r.pushed = 0;
   for (;;) {
@@ -60,9 +61,7 @@ StaticsReport relax_then_newton(System& system, const StaticsSettings& settings,
       if (r.tolerance < settings.tolerance) throw;
     }
     system.update_ghosts(state);
-    const RelaxationReport more = relax(system, r, state);
-    relaxed.steps += more.steps;
-    relaxed.iterations += more.iterations;
+    relax(system, r, state, relaxed);
   }
 }
 
@@ -79,7 +78,8 @@ StaticsReport relax_with_friction(System& system, const StaticsSettings& setting
   pass_on_progress(settings, r);
   StaticsReport report;
   for (int round = 0;; ++round) {
-    const RelaxationReport relaxed = relax(system, r, state);
+    RelaxationReport relaxed;
+    relax(system, r, state, relaxed);
     report.iterations += relaxed.iterations;
     report.relaxation_steps += relaxed.steps;
     report.norms = relaxed.norms;

@@ -51,6 +51,8 @@ double largest_stiffness(const StiffnessDemand& d) {
   return std::max(d.EA, d.line_weight) / (d.radius * allowed_penetration(d));
 }
 
+double largest_stiffness_end_on(double EA, double radius) { return EA / (4 * radius * radius); }
+
 double stiffness_by_weight(double mass_per_length, double radius) {
   constexpr double kStandardGravity = 9.80665;  // m/s²; also used without gravity, where lines touch as well
   return mass_per_length * kStandardGravity / (kAllowedPenetration * radius);

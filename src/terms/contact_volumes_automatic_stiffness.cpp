@@ -96,6 +96,9 @@ void ContactVolumes::require(int volume, const NormalLaw& law, const PressedPoin
         std::max(demand, now * p.mass * std::pow(p.speed / (kImpactDepth * p.radius), 2) / law.stiffness);
   // A deeper penetration would end the run.
   if (p.depth > p.radius) demand = std::max(demand, now * std::pow(2 * p.depth / p.radius, 2));
+  // The contact of an end is as short as it is deep, so that the criteria above would raise the stiffness
+  // until an impact is far shorter than the line's own vibration.
+  if (p.end_on && !(given > 0)) demand = std::min(demand, volumes_[k].max_stiffness_end_on);
   required[k] = std::max(required[k], demand);
 }
 

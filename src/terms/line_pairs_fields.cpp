@@ -16,38 +16,49 @@ void extend(double& from, double& to, double arc) {
 
 }  // namespace
 
-void LinePairs::active_contacts(ActiveContacts& out) const {
+ActiveContact LinePairs::active_contact(const Pair& pair, const ContactPoints& contact) const {
   const auto arc = [this](const ContactSegment& s, double xi) {
     return arc_at(mesh_, {.first = s.first, .second = s.second}, xi);
   };
-  for (const Pair& pair : pairs_) {
-    if (!pair.counted || !pair.points) continue;
-    const ContactSegment& a = segment(pair.a);
-    const ContactSegment& b = segment(pair.b);
-    ActiveContact t;
-    t.line = a.element.line;
-    t.other_line = b.element.line;
-    t.from = t.other_from = HUGE_VAL;
-    t.to = t.other_to = -HUGE_VAL;
-    for (size_t k = 0; k < kPasses; ++k) {
-      const bool swapped = kPassKinds[k].swapped;
-      const ContactSegment& slave = swapped ? b : a;
-      const ContactSegment& master = swapped ? a : b;
-      double& from = swapped ? t.other_from : t.from;
-      double& to = swapped ? t.other_to : t.to;
-      double& foot_from = swapped ? t.from : t.other_from;
-      double& foot_to = swapped ? t.to : t.other_to;
-      const auto& points = (*pair.points)[k];
-      for (const LinePairContactPoint& h : points) {
-        extend(from, to, arc(slave, h.from));
-        extend(from, to, arc(slave, h.to));
-        extend(foot_from, foot_to, arc(master, std::clamp(h.eta, 0.0, 1.0)));
-        t.force += h.weight * h.normal_force;
-        t.energy += h.weight * h.potential;
-      }
-      if (kPassKinds[k].on_element()) t.depth = std::max(t.depth, largest_depth_of(points));
+  const ContactSegment& a = segment(pair.a);
+  const ContactSegment& b = segment(pair.b);
+  ActiveContact t;
+  t.line = a.element.line;
+  t.other_line = b.element.line;
+  t.from = t.other_from = HUGE_VAL;
+  t.to = t.other_to = -HUGE_VAL;
+  for (size_t k = 0; k < kPasses; ++k) {
+    const bool swapped = kPassKinds[k].swapped;
+    const ContactSegment& slave = swapped ? b : a;
+    const ContactSegment& master = swapped ? a : b;
+    double& from = swapped ? t.other_from : t.from;
+    double& to = swapped ? t.other_to : t.to;
+    double& foot_from = swapped ? t.from : t.other_from;
+    double& foot_to = swapped ? t.to : t.other_to;
+    const auto& points = contact[k];
+    for (const LinePairContactPoint& h : points) {
+      extend(from, to, arc(slave, h.from));
+      extend(from, to, arc(slave, h.to));
+      extend(foot_from, foot_to, arc(master, std::clamp(h.eta, 0.0, 1.0)));
+      t.force += h.weight * h.normal_force;
+      t.energy += h.weight * h.potential;
     }
-    out.push_back(t);
+    if (kPassKinds[k].on_element()) t.depth = std::max(t.depth, largest_depth_of(points));
+  }
+  return t;
+}
+
+void LinePairs::active_contacts(ActiveContacts& out) const {
+  for (const Pair& pair : pairs_)
+    if (pair.counted && pair.points) out.push_back(active_contact(pair, *pair.points));
+}
+
+void LinePairs::active_contacts(const Kinematics& evaluated, ActiveContacts& out) const {
+  for (const Pair& pair : pairs_) {
+    if (!pair.counted || !pair.trial || !pair.trial->active || !pair.trial->evaluated) continue;
+    const Trial& t = *pair.trial;
+    if (t.a.same_axis(axis(evaluated, pair.a).now) && t.b.same_axis(axis(evaluated, pair.b).now))
+      out.push_back(active_contact(pair, t.points));
   }
 }
 

@@ -67,6 +67,8 @@ bool LineVolumeContact::adapt_stiffness(const Kinematics& equilibrium) {
           normal = pose.rotation * point.surface.normal;
         }
       }
+      const Vec3 chord = shape.point(1) - shape.point(0);
+      at.end_on = 2 * std::pow(chord.dot(normal), 2) > chord.squaredNorm();
       // A beam bends locally under contact, so its deepest point counts.
       at.mean_depth = shape.count() == AxisShape::kMaxPositions ? at.depth : area / pair.length;
       at.static_fraction = touches ? static_fraction(pair, equilibrium, force, at.depth, normal) : 1;

@@ -56,6 +56,12 @@ TEST(ContactStiffness, OfAStiffPipe) {
               1.256e5 / (2 * std::sqrt(5.7e6 / 1.256e5)), 1e-6);
 }
 
+// A contact of one diameter, 0.118 m, is as stiff as a rope of this length.
+TEST(ContactStiffness, EndOn) {
+  const double along = 1.53e7 / 0.118;
+  EXPECT_NEAR(largest_stiffness_end_on(1.53e7, 0.059) * 0.118, along, 1e-9 * along);
+}
+
 // The weight of a line gives a penetration of 0.5 % of its radius; 1 % of its EA, bent to its radius, gives a
 // penetration of a quarter of the radius.
 TEST(ContactStiffness, OfLinesOnLines) {

@@ -1,6 +1,7 @@
 // Messages about static equilibrium: how it was found, its contacts, and remedies if it was not found.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,11 +37,18 @@ std::string moved_without_friction(const std::string& body, double distance, con
 // Unstable equilibria that statics left; number of negative eigenvalues of the one found.
 std::string unstable_equilibria_left(int equilibria);
 std::string unstable_at_rest(long eigenvalues);
+// Two lines that hold each other by contact, as two hooked slings; arc lengths in m.
+struct HookedLines {
+  std::string line, other;
+  double arc = 0, other_arc = 0;
+  bool friction = false;  // the case has friction between lines
+};
 // Dynamic relaxation that takes unusually long.
 struct LongRelaxation {
-  int steps = 0;               // so far
-  bool line_pairs = false;     // lines may touch one another
-  bool slides_freely = false;  // lines touch volumes without friction
+  int steps = 0;                           // so far
+  bool line_pairs = false;                 // lines may touch one another
+  bool slides_freely = false;              // lines touch volumes without friction
+  std::optional<HookedLines> hooked = {};  // without friction in statics
 };
 std::string long_relaxation(const LongRelaxation& r);
 // Reason why statics ends without an equilibrium; at: place of the largest residual; limit: of Newton's
@@ -60,6 +68,7 @@ std::string automatic_stiffness_unsettled();
 // The stiffness of a mooring is undefined without one of its lines.
 std::string singular_mooring();
 // The most effective remedies for failed statics that this case does not use; docs/how-to/failing-runs.md.
-std::string statics_failed(const model::Case& c);
+// hooked: lines that held each other without friction in statics.
+std::string statics_failed(const model::Case& c, const std::optional<HookedLines>& hooked = {});
 
 }  // namespace hawser::advice

@@ -34,6 +34,10 @@ AutomaticStiffness automatic_contact_stiffness(const StiffnessDemand& d);
 // other than its tension.
 double largest_stiffness(const StiffnessDemand& d);
 
+// Upper limit of the stiffness that an element which meets a surface end-on may request, N/m². The contact of
+// one diameter is then as stiff as the line along itself over one diameter, k 2r = EA/2r.
+double largest_stiffness_end_on(double EA, double radius);
+
 // Automatic stiffness between lines: force per length F = k s + c s³ at the penetration s. With k [N/m²] the
 // line's own weight, by standard gravity, penetrates by 0.5 % of its radius [m]; with c [N/m⁴] 1 % of its EA
 // [N], bent to its own radius, penetrates by a quarter of that radius.

@@ -28,7 +28,9 @@ struct ContactVolume {
   bool automatic = false;  // the program chooses the stiffness per length and raises it as needed
   double max_stiffness =
       std::numeric_limits<double>::infinity();  // N/m², upper limit of an automatic stiffness
-  bool off = false;                             // excluded from contact with lines
+  // Likewise of what elements that meet the volume end-on request, N/m².
+  double max_stiffness_end_on = std::numeric_limits<double>::infinity();
+  bool off = false;  // excluded from contact with lines
 };
 
 // Lengths at the ends of a line that are excluded from contact with a volume.
@@ -53,6 +55,7 @@ struct PressedPoint {
   double mean_depth = 0;         // m; for a straight element the mean over its length, for a beam the largest
   double static_fraction = 1;
   double speed = 0, mass = 0;  // m/s; kg per unit of the law
+  bool end_on = false;         // the element is nearer to the normal than to the surface
   bool held = false;           // by an end of the line, so that stiffness cannot reduce the depth
 };
 

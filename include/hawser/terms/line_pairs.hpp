@@ -102,6 +102,8 @@ class LinePairs final : public ForceTerm,
   double friction_force() const;
   // Adds the contacts of those pairs in the accepted state.
   void active_contacts(ActiveContacts& out) const;
+  // Likewise in that state, if it is the one evaluated last without derivatives.
+  void active_contacts(const Kinematics& evaluated, ActiveContacts& out) const;
   // Likewise, one for each pair, midway between the two surfaces.
   void resultants(const Kinematics& state, ContactResultants& out) const;
 
@@ -194,6 +196,7 @@ class LinePairs final : public ForceTerm,
   AxisEnds ends(const Kinematics& state, int segment) const;
   Rod rod(const Kinematics& state, int segment) const;
   LinePairLaw law(int segment_a, int segment_b) const;
+  ActiveContact active_contact(const Pair& pair, const ContactPoints& points) const;
   // Axes and segments of slave and master in a pass of a pair with the axes A and B.
   struct PassRoles {
     const PairAxis &slave, &master;
