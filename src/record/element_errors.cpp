@@ -205,13 +205,21 @@ void ElementErrors::update_sag(const InState& s, OfLine& worst) const {
   if (candidate.error > worst.sag.error) worst.sag = candidate;
 }
 
+// A volume of a floating body gives way to a longer line.
+bool ElementErrors::is_held_over_volumes(const LineSpan& line) const {
+  return case_.holds_both_ends(case_.lines[&line - mesh_.mesh->lines.data()]) &&
+         std::ranges::none_of(case_.volumes, [&](const model::Volume& v) {
+           return !v.body.empty() && case_.floats(case_.body_index(v.body));
+         });
+}
+
 // The exact curve goes straight to an edge of radius R and bends along it. An element outside the edge turns
 // by a and b at its nodes and touches at the fraction b/(a + b) of its length, by its balance of moments.
 // Between elements that both touch, the curve is an arc tangent to both, and each has half of the turn.
 void ElementErrors::update_corners(const InState& s, double stiffness, Worst& worst) const {
   const auto& [line, nodes, elements, first, last, time] = s;
   if (case_.contact.method != model::ContactMethod::line) return;
-  if (!case_.holds_both_ends(case_.lines[&line - mesh_.mesh->lines.data()])) return;
+  if (!is_held_over_volumes(line)) return;
   const auto touches = [&](int i) { return nodes[i].on_volume && nodes[i + 1].on_volume; };
   const auto chord = [&](int i) { return Vec3((nodes[i + 1].x - nodes[i].x).normalized()); };
   double sum = 0;
@@ -286,7 +294,7 @@ void ElementErrors::update_lifts(const InState& s, Worst& worst) const {
 // begins to bend the line the moment changes its slope within an element.
 void ElementErrors::update_bends(const InState& s, Worst& worst) const {
   const auto& [line, nodes, elements, first, last, time] = s;
-  const bool holds_both_ends = case_.holds_both_ends(case_.lines[&line - mesh_.mesh->lines.data()]);
+  const bool is_held = is_held_over_volumes(line);
   for (int n = first; n <= last; ++n) {
     const At& values = nodes[n];
     if (values.moment <= worst.error || !(values.tension > 0)) continue;
@@ -304,7 +312,7 @@ void ElementErrors::update_bends(const InState& s, Worst& worst) const {
       const bool falls = e.beam && nodes[n + side].moment < values.moment * std::exp(-0.5 * std::min(x, 1.0));
       const double error = falls ? values.moment * (at_end ? wrong_at_end(x) : wrong_inside(x)) : 0;
       Worst of_side{.error = error, .arc = arc(line, n), .time = time, .length = e.length, .decay = decay};
-      of_side.held = values.on_volume && x > kLongAtLiftoff && holds_both_ends;
+      of_side.held = values.on_volume && x > kLongAtLiftoff && is_held;
       of_side.recommended = decay * (at_end ? kRecommendedAtEnd : kRecommendedInside);
       if (error < smallest.error) smallest = of_side;
       if (!falls && on_volume) continues = true;

@@ -46,8 +46,8 @@ class Relaxation : StaticTrial {
     check(SNESSetTolerances(snes_.get(), 0, 0, 0, kMaxOnKinks, PETSC_DEFAULT));
   }
 
-  void run(RelaxationReport& report) {
-    const int before = report.tried();
+  RelaxationReport run() {
+    RelaxationReport report;
     double smallest = 0, kinetic = 0;
     int free = 0;  // steps since the last rejection
     if (settings_.pushed > 0) push_state(settings_.pushed);
@@ -56,13 +56,12 @@ class Relaxation : StaticTrial {
       system_.residual(state_.at_rest(), r_.get());
       report.norms = system_.norms(r_.get());
       if (settings_.progress) settings_.progress(report);
-      if (report.norms.small(settings_.tolerance)) return;
+      if (report.norms.small(settings_.tolerance)) return report;
       if (mass_ == 0) mass_ = smallest = first_mass(report.norms);
-      if (report.tried() >= settings_.max_steps || mass_ > kHeaviest * smallest ||
-          !std::isfinite(report.norms.relative()) || test_progress(report.tried() - before, report.norms)) {
-        check_bodies();
-        throw_no_equilibrium(advice::no_rest(report.steps, imbalance(system_, r_.get(), report.norms)));
-      }
+      const bool all_used = report.steps + report.rejected >= settings_.max_steps;
+      if (all_used || mass_ > kHeaviest * smallest || !std::isfinite(report.norms.relative()) ||
+          test_progress(report))
+        throw_no_rest(report, all_used);
       const int iterations = attempt(report.norms);
       report.iterations += std::abs(iterations);
       if (iterations <= 0) {
@@ -75,7 +74,7 @@ class Relaxation : StaticTrial {
       accept_trial();
       if (++free > kForgetsRejection) blocked_by_.reset();
       if (iterations <= kEasyIterations) scale_mass(kLighter);
-      if (kinks_.active() && rests_on_kinks(report)) return;
+      if (kinks_.active() && rests_on_kinks(report)) return report;
       if (settings_.friction) {
         system_.commit(state_.at_rest());
         check_bodies();
@@ -105,9 +104,10 @@ class Relaxation : StaticTrial {
   // Every kWatched steps, tried again or not: returns true if the iteration stagnates. If the imbalance has
   // not halved, relaxation continues without momentum if it had it, and vice versa: drag has no potential and
   // can feed a motion that kinetic damping does not end.
-  bool test_progress(int tried, const ResidualNorms& now) {
+  bool test_progress(const RelaxationReport& report) {
+    const int tried = report.steps + report.rejected;
     if (tried % kWatched != 0) return false;
-    const Progress since = progress(now);
+    const Progress since = progress(report.norms);
     if (!since.halved) viscous_ = !viscous_;
     return since.stagnates;
   }
@@ -125,6 +125,15 @@ class Relaxation : StaticTrial {
     MPI_Allreduce(MPI_IN_PLACE, &farthest, 1, MPI_DOUBLE_INT, MPI_MAXLOC, system_.comm());
     if (farthest.far > kMaxSlide * longest_)
       throw SolveError(advice::body_moves_on(m.mesh->place(farthest.node), farthest.far));
+  }
+  [[noreturn]] void throw_no_rest(const RelaxationReport& report, bool all_used) {
+    check_bodies();
+    try {
+      throw_no_equilibrium(advice::no_rest(report.steps, imbalance(system_, r_.get(), report.norms)));
+    } catch (const SolveError& failure) {
+      if (all_used) throw RelaxationStepsUsed(failure.what());
+      throw;
+    }
   }
   // Changes the mass. This is equivalent to another step of time, so increments are scaled to keep the speed.
   void scale_mass(double factor) {
@@ -222,8 +231,8 @@ class Relaxation : StaticTrial {
 
 }  // namespace
 
-void relax(System& system, const RelaxationSettings& settings, State& state, RelaxationReport& report) {
-  Relaxation(system, settings, state).run(report);
+RelaxationReport relax(System& system, const RelaxationSettings& settings, State& state) {
+  return Relaxation(system, settings, state).run();
 }
 
 }  // namespace hawser

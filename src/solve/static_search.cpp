@@ -111,6 +111,8 @@ bool StaticSearch::push_from_equilibrium(Vec motion, const State& start) {
       if (relaxation_) relax_from_push();
       descend(settings_.tolerance);
       if (distance_from(equilibrium) > 0.5 * pushed) return true;
+    } catch (const RelaxationStepsUsed&) {
+      throw;
     } catch (const SolveError&) {  // nothing stops this motion
       if (relaxation_ && sign != first) throw;
       blocked_by_.reset();
@@ -438,8 +440,7 @@ double StaticSearch::distance_from(const State& from) const {
 }
 
 bool StaticSearch::relax_from_push() {
-  RelaxationReport r;
-  relax(system_, *relaxation_, state_, r);
+  const RelaxationReport r = relax(system_, *relaxation_, state_);
   report_.iterations += r.iterations;
   report_.relaxation_steps += r.steps;
   prepare_again();

@@ -38,30 +38,35 @@ StaticsReport relax_then_newton(System& system, const StaticsSettings& settings,
   RelaxationReport relaxed;
   const State from = state;
   try {
-    relax(system, r, state, relaxed);
-  } catch (const SolveError&) {
-    if (relaxed.tried() >= r.max_steps) throw;
-    state = from;  // the start shape may have been in a plane or have had another symmetry
+    relaxed = relax(system, r, state);
+  } catch (const RelaxationStepsUsed&) {
+    throw;
+  } catch (const SolveError&) {  // the start shape may have been in a plane or have had another symmetry
+    state = from;
     system.update_ghosts(state);
     r.pushed = 1;
-    relax(system, r, state, relaxed);
+    relaxed = relax(system, r, state);
   }
   r.pushed = 0;
   for (;;) {
-    State candidate = state;
+    const State at_rest = state;
     try {
-      StaticsReport report = StaticSearch(system, settings, candidate, &r).run(true);
-      state = std::move(candidate);
+      StaticsReport report = StaticSearch(system, settings, state, &r).run(true);
       report.iterations += relaxed.iterations;
       report.relaxation_steps += relaxed.steps;
       return report;
+    } catch (const RelaxationStepsUsed&) {
+      throw;
     } catch (const SolveError&) {
       // Newton's iteration needs a start nearer to the equilibrium.
       r.tolerance *= 1e-2;
       if (r.tolerance < settings.tolerance) throw;
     }
+    state = at_rest;
     system.update_ghosts(state);
-    relax(system, r, state, relaxed);
+    const RelaxationReport more = relax(system, r, state);
+    relaxed.steps += more.steps;
+    relaxed.iterations += more.iterations;
   }
 }
 
@@ -78,8 +83,7 @@ StaticsReport relax_with_friction(System& system, const StaticsSettings& setting
   pass_on_progress(settings, r);
   StaticsReport report;
   for (int round = 0;; ++round) {
-    RelaxationReport relaxed;
-    relax(system, r, state, relaxed);
+    const RelaxationReport relaxed = relax(system, r, state);
     report.iterations += relaxed.iterations;
     report.relaxation_steps += relaxed.steps;
     report.norms = relaxed.norms;

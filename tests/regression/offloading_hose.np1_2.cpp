@@ -88,7 +88,9 @@ TEST(OffloadingHose, StaysOutsideAndLiesAlongTheHull) {
   EXPECT_EQ(in.nodes, 0);
   EXPECT_GT(length, whole() ? 60 : 5);
   // 16 580 with steps that follow the damped vibrations after impacts for twenty periods (decision 042).
-  if (whole()) EXPECT_LT(all.step_times.size(), 14500U);
+  if (whole()) {
+    EXPECT_LT(all.step_times.size(), 14500U);
+  }
   if (size_of(MPI_COMM_WORLD) == 1) {
 #if defined(__OPTIMIZE__) && defined(NDEBUG) && !defined(__SANITIZE_ADDRESS__)
     // Faster than real time on one core.

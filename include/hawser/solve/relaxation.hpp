@@ -9,6 +9,7 @@
 
 #include <functional>
 
+#include "hawser/base/error.hpp"
 #include "hawser/model/case.hpp"
 #include "hawser/state/state.hpp"
 #include "hawser/system/system.hpp"
@@ -20,12 +21,17 @@ struct RelaxationReport {
   int rejected = 0;    // steps tried again with a larger mass
   int iterations = 0;  // Newton iterations
   ResidualNorms norms;
-  int tried() const { return steps + rejected; }
+};
+
+// The motion has not come to rest within the steps allowed. Further starts would use as many again, so that
+// the search without friction ends.
+struct RelaxationStepsUsed : SolveError {
+  using SolveError::SolveError;
 };
 
 struct RelaxationSettings {
-  double tolerance = 1e-4;                            // of the residual, relative to its contributions
-  int max_steps = model::Statics().relaxation_steps;  // tried in all, with those of the report at the start
+  double tolerance = 1e-4;  // of the residual, relative to its contributions
+  int max_steps = model::Statics().relaxation_steps;
   // > 0: first displaces the start shape asymmetrically by this many hundredths of its length
   int pushed = 0;
   // Friction acts against the path of the lines. Therefore no momentum is carried from step to step, as in a
@@ -36,9 +42,9 @@ struct RelaxationSettings {
 
 // Moves `state` (positions and rotations) near an equilibrium at state.time, from which Newton's iteration
 // can complete the search. Terms are evaluated as in statics, and committed only with `friction`. Collective.
-// Throws SolveError naming line, arc length and imbalance if the motion does not come to rest, and
-// StiffnessRaised (static_trial.hpp) if contact was too soft during the search. Adds steps and iterations to
-// `report`, also when it throws.
-void relax(System& system, const RelaxationSettings& settings, State& state, RelaxationReport& report);
+// Throws SolveError naming line, arc length and imbalance if the motion does not come to rest, among them
+// RelaxationStepsUsed unless a body slides or falls without end, and StiffnessRaised (static_trial.hpp) if
+// contact was too soft during the search.
+RelaxationReport relax(System& system, const RelaxationSettings& settings, State& state);
 
 }  // namespace hawser
