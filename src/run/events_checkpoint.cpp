@@ -35,6 +35,14 @@ void Events::save(io::Checkpoint& to) const {
   }
 }
 
+bool Events::has_all_of(const io::Checkpoint& from, const model::Case& c) {
+  return std::ranges::all_of(from.scalars, [&](const auto& scalar) {
+    return !scalar.first.starts_with(kHappened) || std::ranges::any_of(c.events, [&](const model::Event& e) {
+      return scalar.first.starts_with(kHappened + e.name);
+    });
+  });
+}
+
 std::vector<std::string> Events::restore(const io::Checkpoint& from) {
   watch();
   const auto refusal = [this](const std::string& why) {

@@ -146,7 +146,8 @@ bool releases(const model::Case& c, const std::string& line, LineEnd end) {
 // that of the checkpoint; empty: none. Bodies with prescribed motion are excluded, since their motion may
 // differ. Collective.
 std::string moved_end(const io::Checkpoint& c, Simulation& simulation) {
-  constexpr double kRounding = 1e-6;  // m
+  constexpr double kRounding = 1e-6;                          // m
+  if (!Events::has_all_of(c, simulation.model())) return "";  // Events::restore reports it
   const System& system = simulation.system();
   const LocalMesh& m = simulation.local();
   const Mesh& mesh = *m.mesh;

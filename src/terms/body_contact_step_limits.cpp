@@ -55,7 +55,9 @@ std::pair<Vec6, Vec6> BodyContact::PairFrames::relative_motion() const {
 
 // With the root L of the inverse mass matrix the modes obey L'KL e = w² e. Rates q' of the unknowns deform
 // the spring of a mode at the rate u = e.L'K q'/w², accelerations q'' likewise at c = e.L'K q''/w², and it
-// vibrates about its equilibrium with the energy (u² + c²/w²)/2.
+// vibrates about its equilibrium with the energy (u² + c²/w²)/2. Springs of friction are as stiff as the
+// fastest of these modes: a body that begins to slide or to stick with the acceleration a vibrates on them
+// with the energy m a²/2w².
 double BodyContact::vibration(const Pair& pair, const PairFrames& at, const Sum& s) const {
   if (!s.active) return 0;
   const Mat12 springs = pair.root.transpose() * s.residual.K;
@@ -63,8 +65,12 @@ double BodyContact::vibration(const Pair& pair, const PairFrames& at, const Sum&
   const auto [rates, accelerations] = at.relative_motion();
   const Vec12 by_rates = springs.leftCols<6>() * rates;
   const Vec12 by_accelerations = springs.leftCols<6>() * accelerations;
+  const double highest = modes.values[11];
+  if (pair.friction.axial > 0 &&
+      0.5 * pair.mass * accelerations.head<3>().squaredNorm() > kEnergyError * pair.energy * highest)
+    return std::sqrt(highest);
   double energy = 0;
-  for (Eigen::Index i = 11; i >= 0 && modes.values[i] > kRounding * modes.values[11]; --i) {
+  for (Eigen::Index i = 11; i >= 0 && modes.values[i] > kRounding * highest; --i) {
     const double square = modes.values[i];
     const double u = modes.vectors.col(i).dot(by_rates) / square;
     const double c = modes.vectors.col(i).dot(by_accelerations) / square;

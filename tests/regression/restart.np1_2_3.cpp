@@ -142,10 +142,10 @@ TEST_P(Restart, OtherQuantitiesAreRefused) {
   run::Simulation s(PETSC_COMM_WORLD, c, run::surfaces(volumes), run::skeletons(c, volumes));
   io::Checkpoint k = run::read_restart(path + "/half.h5", s);
   const std::string name = "line contact";
-  run::check_records(k, s.system(), "half.h5");
+  run::check_records(k, s.system(), path + "/half.h5");
   k.records.at(name).kinds.at(0).quantities.at(0).unit = "mm";
   try {
-    run::check_records(k, s.system(), "half.h5");
+    run::check_records(k, s.system(), path + "/half.h5");
     FAIL();
   } catch (const InputError& e) {
     EXPECT_NE(std::string(e.what()).find("with other quantities of " + name + "; start from its last shape"),

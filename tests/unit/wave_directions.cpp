@@ -97,7 +97,7 @@ TEST_F(WaveDirections, DamagedRows) {
   write(".hst", stiffness + "3 4");
   expect("spar.hst:4: a row of this file has 3 numbers, but this one has 2: is the file truncated?");
   const std::string fixed_width =
-      "3 3  3.14159265E+02\n3 4  0.00000000E+00\n4 4 -1.26449104E+06\n5 5 -1.26449104E+06";
+      "3 3  3.14159265E+02\n4 5  1.00000000E-03\n4 4 -1.26449104E+06\n5 5 -1.26449104E+06";
   write(".hst", fixed_width.substr(0, fixed_width.size() - 1));
   expect(
       "spar.hst:4: the last row is shorter than the others and ends without a line break: is the file "

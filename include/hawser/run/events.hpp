@@ -42,6 +42,8 @@ class Events {
   std::vector<std::string> not_happened() const;
 
   void save(io::Checkpoint& to) const;
+  // True if the case has all events that happened before the checkpoint.
+  static bool has_all_of(const io::Checkpoint& from, const model::Case& c);
   // Messages about events that had happened; called before the state is restored. Throws InputError if they
   // contradict the events of the case.
   std::vector<std::string> restore(const io::Checkpoint& from);
