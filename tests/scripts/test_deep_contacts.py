@@ -27,6 +27,19 @@ output: {every: 0.01}
 DEEP = "normal_stiffness: {per_length: 6.0e5}"  # N/m²: about 2 cm of penetration, where 5 mm, a tenth of the radius, is acceptable
 STIFF = "normal_stiffness: {per_length: 1.0e8}"
 SOFT = "normal_stiffness: {allowed_penetration: 0.04}"
+DROP = """\
+hawser: 1
+line_types: {p: {pipe: {outer_diameter: 0.18126428, wall_thickness: 0.0084157822}}}
+volumes: {deck: {shape: {plane: {point: [0, 0, 0], normal: [0, 0, 1]}}}}
+lines:
+  p:
+    sections: [{type: p, length: 3.1751046, elements: 17}]
+    end_a: free
+    end_b: free
+    start: {points: [[-0.89166576, -1.31333, 0.099052084], [0.89166576, 1.31333, 0.13998116]]}
+statics: false
+dynamics: {duration: 0.5}
+"""
 
 
 class DeepContacts(unittest.TestCase):
@@ -36,6 +49,16 @@ class DeepContacts(unittest.TestCase):
             done = run(*launch, HAWSER, "run", "wire.yaml", "-o", "wire.h5", cwd=folder)
             self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
             return [text for text in (done.stdout + done.stderr).splitlines() if "m inside volume" in text]
+
+    def test_penetration_in_an_impact(self):
+        """A pipe that falls onto a deck on an automatic stiffness penetrates by an eighth of its radius."""
+        with tempfile.TemporaryDirectory() as folder:
+            write(Path(folder), "drop.yaml", DROP)
+            done = run(HAWSER, "run", "drop.yaml", cwd=folder)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        depth = next(float(line.split()[3]) for line in done.stdout.splitlines() if line.startswith("max penetration"))
+        self.assertGreater(depth, 0.1 * 0.0906)
+        self.assertNotIn("inside volume deck", done.stdout)
 
     def test_the_deep_volume_is_named(self):
         for launch in ((), ("mpirun", "-n", 2)):

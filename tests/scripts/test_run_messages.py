@@ -242,26 +242,6 @@ start: straight
         self.assertIn("it may buckle between supports that are more than 5.6 m apart, which elements of 1.4 m or less represent", output)
         self.assertNotIn("upper end", output)
 
-    def test_penetration_in_an_impact(self):
-        """A pipe that falls onto a deck on an automatic stiffness penetrates by an eighth of its radius."""
-        write(self.folder, "drop.yaml", """\
-hawser: 1
-line_types: {p: {pipe: {outer_diameter: 0.18126428, wall_thickness: 0.0084157822}}}
-volumes: {deck: {shape: {plane: {point: [0, 0, 0], normal: [0, 0, 1]}}}}
-lines:
-  p:
-    sections: [{type: p, length: 3.1751046, elements: 17}]
-    end_a: free
-    end_b: free
-    start: {points: [[-0.89166576, -1.31333, 0.099052084], [0.89166576, 1.31333, 0.13998116]]}
-statics: false
-dynamics: {duration: 0.5}
-""")
-        output = self.hawser("run", "drop.yaml").stdout
-        depth = next(float(line.split()[3]) for line in output.splitlines() if line.startswith("max penetration"))
-        self.assertGreater(depth, 0.1 * 0.0906)
-        self.assertNotIn("inside volume deck", output)
-
     def test_check_of_a_body_that_floats(self):
         write(self.folder, "body.yaml", """\
 hawser: 1
