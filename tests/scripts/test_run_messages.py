@@ -216,32 +216,6 @@ dynamics: {duration: 1}
         self.assertIn("note: statics has failed; what may help: without 'dynamic_relaxation: never'; a 'ramp' of the current",
                       output.stdout)
 
-    def test_a_riser_with_a_compressed_foot(self):
-        # 290 m of pipe between points 289.9 m apart, of which its own stretch takes 3 cm: 0.08 MN compression
-        # at its foot.
-        # EI = 72 MN m², w = 1 kN/m: a pinned foot buckles at 1.02 (EI w²)^(1/3) = 42 kN.
-        case = """\
-hawser: 1
-environment: {water: {depth: 300}, seabed: {depth: 300}}
-line_types: {r: {pipe: {outer_diameter: 0.35, wall_thickness: 0.025}}}
-lines:
-  r: {sections: [{type: r, length: LENGTH, elements: 145}], end_a: {anchor: [0, 0, -10]}, end_b: {anchor: [0, 0, -299.8]}}
-contact: {between_lines: false}
-"""
-        for length, pressed in (("290", True), ("289.7", False)):
-            write(self.folder, "riser.yaml", case.replace("LENGTH", length))
-            output = self.hawser("run", "riser.yaml").stdout
-            self.assertEqual("under an effective compression" in output, pressed, output)
-
-    def test_compression_of_a_line_without_an_upper_end(self):
-        # A rod of 12 m between anchors at one height, buckled under 9.58 kN, with EI = 3e4 N m²: pi sqrt(EI/9.58 kN) = 5.6 m.
-        write(self.folder, "strut.yaml", CASE.replace("end_b: free", "end_b: {anchor: [12, 0, 0]}").replace("start: straight", """\
-start: straight
-    loads: [{at: 6, force: [2.0e4, 0, 0]}]""") + "environment: {gravity: 0}\n")
-        output = self.hawser("run", "strut.yaml").stdout
-        self.assertIn("it may buckle between supports that are more than 5.6 m apart, which elements of 1.4 m or less represent", output)
-        self.assertNotIn("upper end", output)
-
     def test_check_of_a_body_that_floats(self):
         write(self.folder, "body.yaml", """\
 hawser: 1
