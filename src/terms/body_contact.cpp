@@ -289,9 +289,8 @@ void BodyContact::prepare(const Kinematics& from, double h) {
     p.points = s.touching;
     p.penetration = s.depth;
     p.elastic = s.active ? Vec12(contact(p, p.frames, kSprings).residual.f) : Vec12(Vec12::Zero());
-    p.frequency = h > 0 ? frequency(p, s) : 0;
     p.energy = relative_energy(p, p.frames) + s.potential;
-    p.vibration = h > 0 ? vibration(p, p.frames, s) : 0;
+    p.frequencies = h > 0 ? frequencies(p, p.frames, s) : Frequencies();
     p.work_power = s.work_power + friction_power(p);
     if (!p.has_accepted_state) store_first_forces(p, h);
   }

@@ -32,12 +32,6 @@ void BodyContact::PairFrames::move(double time) {
   }
 }
 
-double BodyContact::frequency(const Pair& pair, const Sum& s) const {
-  if (!s.active) return 0;
-  const Mat12 K = pair.root.transpose() * s.residual.K * pair.root;
-  return std::sqrt(std::max(eigenpairs(K).values[11], 0.0));
-}
-
 // The velocity of A is that relative to the material of B at its place, as the springs depend on the relative
 // motion alone:
 //   v_A - v_B - W x r,   a_A - a_B - W' x r - W x (W x r) - 2 W x (v_A - v_B - W x r),   r = x_A - x_B.
@@ -58,26 +52,33 @@ std::pair<Vec6, Vec6> BodyContact::PairFrames::relative_motion() const {
 // vibrates about its equilibrium with the energy (u² + c²/w²)/2. Springs of friction are as stiff as the
 // fastest of these modes: a body that begins to slide or to stick with the acceleration a vibrates on them
 // with the energy m a²/2w².
-double BodyContact::vibration(const Pair& pair, const PairFrames& at, const Sum& s) const {
-  if (!s.active) return 0;
+BodyContact::Frequencies BodyContact::frequencies(const Pair& pair, const PairFrames& at,
+                                                  const Sum& s) const {
+  if (!s.active) return {};
   const Mat12 springs = pair.root.transpose() * s.residual.K;
   const Eigenpairs modes = eigenpairs(Mat12(springs * pair.root));
   const auto [rates, accelerations] = at.relative_motion();
   const Vec12 by_rates = springs.leftCols<6>() * rates;
   const Vec12 by_accelerations = springs.leftCols<6>() * accelerations;
-  const double highest = modes.values[11];
+  const double highest = std::max(modes.values[11], 0.0);
+  Frequencies out{.highest = std::sqrt(highest)};
   if (pair.friction.axial > 0 &&
-      0.5 * pair.mass * accelerations.head<3>().squaredNorm() > kEnergyError * pair.energy * highest)
-    return std::sqrt(highest);
+      0.5 * pair.mass * accelerations.head<3>().squaredNorm() > kEnergyError * pair.energy * highest) {
+    out.significant = out.highest;
+    return out;
+  }
   double energy = 0;
   for (Eigen::Index i = 11; i >= 0 && modes.values[i] > kRounding * highest; --i) {
     const double square = modes.values[i];
     const double u = modes.vectors.col(i).dot(by_rates) / square;
     const double c = modes.vectors.col(i).dot(by_accelerations) / square;
     energy += 0.5 * (u * u + c * c / square);
-    if (energy > kEnergyError * pair.energy) return std::sqrt(square);
+    if (energy > kEnergyError * pair.energy) {
+      out.significant = std::sqrt(square);
+      return out;
+    }
   }
-  return 0;
+  return out;
 }
 
 double BodyContact::relative_energy(const Pair& pair, const PairFrames& at) const {
@@ -146,11 +147,15 @@ void BodyContact::limit_by(const Pair& p, ImpactEvents& to) const {
   const double time_to_depth = speed > 0 ? std::max(p.max_approach / speed, 1e-6) : HUGE_VAL;
   to.limit(time_to_depth);  // not deeper in one step than at a first touch
   const double max_step = std::min(to.max_step, time_to_depth);
-  const auto highest = [&](const PairFrames& at) { return frequency(p, contact(p, at, kStiffness)); };
-  const auto vibrating = [&](const PairFrames& at) { return vibration(p, at, contact(p, at, kStiffness)); };
-  if (p.frequency > 0) {
-    const double resolved = p.vibration > 0 ? 2 * M_PI / (kStepsAPeriod * p.vibration) : HUGE_VAL;
-    to.limit(resolved_step(p.frames, std::min(max_step, resolved), vibrating));
+  const auto frequencies_at = [&](const PairFrames& at) {
+    return frequencies(p, at, contact(p, at, kStiffness));
+  };
+  const auto highest = [&](const PairFrames& at) { return frequencies_at(at).highest; };
+  const auto significant = [&](const PairFrames& at) { return frequencies_at(at).significant; };
+  if (p.frequencies.highest > 0) {
+    const double w = p.frequencies.significant;
+    const double resolved = w > 0 ? 2 * M_PI / (kStepsAPeriod * w) : HUGE_VAL;
+    to.limit(resolved_step(p.frames, std::min(max_step, resolved), significant));
   }
 
   const auto place = nearest(p, p.frames, p.law.smoothing + speed * std::min(max_step, 1e6));
@@ -159,8 +164,8 @@ void BodyContact::limit_by(const Pair& p, ImpactEvents& to) const {
                     place->gradient.dot(p.frames.accelerations()), true};
   double inverse_frequency = 0;  // s
   if (at.gap < 0) {
-    if (p.frequency == 0 || at.closing > 0) return;
-    inverse_frequency = 1 / p.frequency;
+    if (p.frequencies.highest == 0 || at.closing > 0) return;
+    inverse_frequency = 1 / p.frequencies.highest;
   } else {
     if (!(at.closing > 0) || at.gap > at.closing * max_step) return;
     PairFrames moved = p.frames;
@@ -199,7 +204,8 @@ void BodyContact::unresolved(const Kinematics& trial, UnresolvedImpacts& to) {
     displacement.segment<3>(9) = log_so3(Quat(Mat3(p.frames.B.R.transpose() * now.B.R)));
     const double created = s.potential - p.potential - 0.5 * (p.elastic + s.residual.f).dot(displacement);
     if (!(std::abs(created) > kEnergyError * std::max(p.energy, s.potential))) continue;
-    const double w = std::max(p.frequency, frequency(p, contact(p, now, kStiffness)));
+    const Frequencies at_end = frequencies(p, now, contact(p, now, kStiffness));
+    const double w = std::max(p.frequencies.highest, at_end.highest);
     if (trial.step * w > 2 * M_PI / kMaxStepsAPeriod) to.too_fast = true;
   }
 }

@@ -135,6 +135,13 @@ class BodyContact final : public ForceTerm,
     // Rotation vector of A relative to B since `start`, rad, axes of B.
     Vec3 turned_since(const PairFrames& start) const;
   };
+  // Natural frequencies of two bodies on the springs of their contact, rad/s; 0: none.
+  struct Frequencies {
+    double highest = 0;
+    // The lowest one that steps must resolve: all higher ones together may be lost in a step without a
+    // significant error.
+    double significant = 0;
+  };
   struct Pair {
     size_t a = 0, b = 0;                // volumes
     NormalLaw law;                      // of a's features on the surface of b, per unit of the basis
@@ -155,8 +162,7 @@ class BodyContact final : public ForceTerm,
     double potential = 0;           // J
     double stiffness = 0;           // N/m, sum over all normal springs in contact
     TouchingPoints points;          // in contact
-    double frequency = 0;           // rad/s, highest natural frequency on the contact springs; 0: no contact
-    double vibration = 0;           // rad/s, of vibration()
+    Frequencies frequencies;        // on the contact springs
     double energy = 0;              // J, kinetic energy of the relative motion plus potential
     Vec12 elastic = Vec12::Zero();  // residual without damping
     PairFrames frames;
@@ -248,12 +254,8 @@ class BodyContact final : public ForceTerm,
   // True if a ball, in the frame of a volume, may be nearer to the volume's surface than `gap` [m].
   bool near(size_t volume, const Vec3& centre, double radius, double gap) const;
   bool tunnels(const Pair& pair, const Kinematics& trial) const;
-  // Step limits, in body_contact_step_limits.cpp. Largest natural frequency of the bodies on the springs of
-  // `stiffness`, rad/s.
-  double frequency(const Pair& pair, const Sum& stiffness) const;
-  // Frequency of the slowest vibration on the springs of `stiffness` that steps must resolve, rad/s: that of
-  // all faster ones together may be lost in a step without a significant error. 0: none.
-  double vibration(const Pair& pair, const PairFrames& at, const Sum& stiffness) const;
+  // Step limits, in body_contact_step_limits.cpp. stiffness: contact in kStiffness.
+  Frequencies frequencies(const Pair& pair, const PairFrames& at, const Sum& stiffness) const;
   // Kinetic energy of the relative motion of the bodies, J.
   double relative_energy(const Pair& pair, const PairFrames& at) const;
   // Upper bound of the speed at which any point of one body approaches the other, m/s.
