@@ -18,10 +18,10 @@ std::string uncovered_directions(const char* quantity, const WaveForceTable& tab
       coverage.direction / kDegree, 100 * coverage.uncovered);
 }
 
-std::string uncovered_periods(const char* quantity, double energy, bool shorter, double last) {
+std::string uncovered_periods(const char* quantity, double energy, BeyondPeriods beyond, double last) {
   return fmt::format(
       "{:.3g} % of the sea's energy has {} periods than the {} of the files, which end at {:.4g} s",
-      100 * energy, shorter ? "shorter" : "longer", quantity, last);
+      100 * energy, beyond == BeyondPeriods::shorter ? "shorter" : "longer", quantity, last);
 }
 
 }  // namespace
@@ -36,14 +36,14 @@ std::string directions_missing(const char* quantity, const WaveForceTable& table
   return uncovered_directions(quantity, table, coverage) + ": add these directions to the files";
 }
 
-std::string periods_not_covered(const std::string& key, const char* quantity, double energy, bool shorter,
-                                double last) {
-  return key + ": " + uncovered_periods(quantity, energy, shorter, last) +
+std::string periods_not_covered(const std::string& key, const char* quantity, double energy,
+                                BeyondPeriods beyond, double last) {
+  return key + ": " + uncovered_periods(quantity, energy, beyond, last) +
          " and are used there as they are at that: add these periods to the files";
 }
 
-std::string periods_missing(const char* quantity, double energy, bool shorter, double last) {
-  return uncovered_periods(quantity, energy, shorter, last) + ": add these periods to the files";
+std::string periods_missing(const char* quantity, double energy, BeyondPeriods beyond, double last) {
+  return uncovered_periods(quantity, energy, beyond, last) + ": add these periods to the files";
 }
 
 std::string one_direction_of_difference_forces(const std::string& key, double direction) {

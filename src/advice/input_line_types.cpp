@@ -29,7 +29,7 @@ bool in_range(double x, double lower, double upper) { return x >= lower && x <= 
 std::string density_hint(const Case& c, const LineType& t, double density, bool water) {
   const double d = t.displaced();
   const auto fits = [water](double x) { return in_range(x, kLight, water ? kHeavy : kHeavyInAir); };
-  const auto hint_for = [&](const char* key, const std::function<bool(double)>& fit) {
+  const auto hint_for = [&](const char* key, FunctionRef<bool(double)> fit) {
     return unit_hint(c, {"line_types", t.name, key}, fit);
   };
   if (t.kind == LineKind::cable && water && density > kHeavy && density < kHeavyInAir)

@@ -116,8 +116,7 @@ bool written_in_radians(const Value& v) {
 }
 
 // For a number in place of a period of the kind `quantities`, whose inverse `fits`.
-std::string frequency_hint(const Value& v, std::string_view quantities,
-                           const std::function<bool(double)>& fits) {
+std::string frequency_hint(const Value& v, std::string_view quantities, FunctionRef<bool(double)> fits) {
   const bool period = quantities.find("periods") != std::string_view::npos;
   if (!period || !plain(v) || !fits(1 / v.number)) return "";
   return fmt::format("; is it a frequency in Hz? ('{:.4g} s')", 1 / v.number);
@@ -185,7 +184,7 @@ class Walk {
 
 }  // namespace
 
-std::string unit_hint(const Value& v, Dimension d, const std::function<bool(double)>& fits) {
+std::string unit_hint(const Value& v, Dimension d, FunctionRef<bool(double)> fits) {
   if (!plain(v)) return "";
   for (const Unit& u : units_of(d)) {
     const Quantity q = parse_quantity(fmt::format("{} {}", v.text, u.name), d);
@@ -195,8 +194,7 @@ std::string unit_hint(const Value& v, Dimension d, const std::function<bool(doub
   return "";
 }
 
-std::string unit_hint(const Case& c, const std::vector<std::string>& keys,
-                      const std::function<bool(double)>& fits) {
+std::string unit_hint(const Case& c, const std::vector<std::string>& keys, FunctionRef<bool(double)> fits) {
   const Entry entry = keys.size() > 1 ? entry_of(c, keys[0], keys[1]) : Entry();
   const Value* v = entry ? &*entry : nullptr;
   for (std::size_t i = 2; i < keys.size(); ++i) v = v ? v->find(keys[i]) : nullptr;

@@ -47,7 +47,7 @@ class Proportions {
   void warn(const char* key, fmt::format_string<Args...> sentence, Args&&... args) {
     add_warning(out_, key_ + (*key ? "." : "") + key, Effect::all, sentence, std::forward<Args>(args)...);
   }
-  std::string hint(const char* key, const std::function<bool(double)>& fits) const {
+  std::string hint(const char* key, FunctionRef<bool(double)> fits) const {
     return unit_hint(c_, {"line_types", t_.name, key}, fits);
   }
   // Radius of gyration of the bending stiffness [m].

@@ -28,8 +28,9 @@ std::string only_one_direction(const std::string& key, double direction, double 
       key, direction / kDegree, furthest / kDegree);
 }
 
-std::string sea_beyond_responses(const std::string& key, double energy, bool shorter, double farthest,
+std::string sea_beyond_responses(const std::string& key, double energy, BeyondPeriods beyond, double farthest,
                                  double last) {
+  const bool shorter = beyond == BeyondPeriods::shorter;
   return fmt::format(
       "{}: {:.3g} % of the sea's energy has {} periods than the table, as far as {:.3g} s, and there the "
       "responses of its {} one, {:.4g} s, are used: give rows there",

@@ -38,15 +38,15 @@ void check_coverage(const Value& files, const std::vector<WaveForceTable>& table
     model::refuse(files, advice::directions_missing(quantity, table, coverage));
   if (coverage.uncovered > kSmall)
     notes.push_back(advice::directions_not_covered(key, quantity, table, coverage));
-  const auto beyond = [&](double energy, bool shorter, double omega) {
+  const auto check_beyond = [&](double energy, advice::BeyondPeriods beyond, double omega) {
     if (!(energy > kSmall)) return;
     const double last = 2 * M_PI / omega;
     if (sea.size() > 1 && energy > kMostBeyond)
-      model::refuse(files, advice::periods_missing(quantity, energy, shorter, last));
-    notes.push_back(advice::periods_not_covered(key, quantity, energy, shorter, last));
+      model::refuse(files, advice::periods_missing(quantity, energy, beyond, last));
+    notes.push_back(advice::periods_not_covered(key, quantity, energy, beyond, last));
   };
-  beyond(coverage.shorter_waves, true, table.highest());
-  beyond(coverage.longer_waves, false, table.lowest());
+  check_beyond(coverage.shorter_waves, advice::BeyondPeriods::shorter, table.highest());
+  check_beyond(coverage.longer_waves, advice::BeyondPeriods::longer, table.lowest());
 }
 
 auto reader_of(model::BodyHydrodynamics::Format format) {

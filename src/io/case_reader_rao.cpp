@@ -120,13 +120,13 @@ void check_reach(const RaoTable& table, const WaveField& waves, double bow, cons
     }
   }
   if (furthest > 0) notes.push_back(advice::only_one_direction(key, only, furthest));
-  const auto beyond = [&](double energy, bool shorter, double omega, double last) {
+  const auto check_beyond = [&](double energy, advice::BeyondPeriods beyond, double omega, double last) {
     if (energy > 1e-3 * all)
       notes.push_back(
-          advice::sea_beyond_responses(key, energy / all, shorter, 2 * M_PI / omega, 2 * M_PI / last));
+          advice::sea_beyond_responses(key, energy / all, beyond, 2 * M_PI / omega, 2 * M_PI / last));
   };
-  beyond(fast, true, highest, table.highest());
-  beyond(slow, false, lowest, table.lowest());
+  check_beyond(fast, advice::BeyondPeriods::shorter, highest, table.highest());
+  check_beyond(slow, advice::BeyondPeriods::longer, lowest, table.lowest());
 }
 
 // If the phase changes fast between rows, linear interpolation gives a false response; notes such intervals.

@@ -15,8 +15,8 @@ constexpr double kFarthest = 0.1;
 
 }  // namespace
 
-void Dynamics::transfer_node(const std::function<std::optional<Moved>()>& change,
-                             const std::function<std::vector<TiedNode>()>& nodes) {
+void Dynamics::transfer_node(FunctionRef<std::optional<Moved>()> change,
+                             FunctionRef<std::vector<TiedNode>()> nodes) {
   const auto forces = [this] {
     State s = committed_.s;
     s.mean = {};

@@ -105,7 +105,7 @@ std::vector<Complex> complex_values(Vec u) {
 }  // namespace
 
 void linear_responses(System& system, const Kinematics& state, const std::vector<WaveComponent>& waves,
-                      const std::function<void(size_t, const std::vector<Complex>&)>& each) {
+                      FunctionRef<void(size_t, const std::vector<Complex>&)> each) {
   const std::vector<DependsOnFrequency*> terms = system.with<DependsOnFrequency>();
   const auto set_frequency = [&terms](std::optional<double> omega) {
     for (DependsOnFrequency* t : terms) t->set_frequency(omega);

@@ -2,10 +2,13 @@
 #include "hawser/solve/linear_solver.hpp"
 
 #include "hawser/base/mpi.hpp"
-#include "hawser/solve/lu.hpp"
 #include "hawser/solve/substructure.hpp"
 
 namespace hawser {
+
+MatrixPattern pattern_of(const System& system) {
+  return system.coupled() ? MatrixPattern::coupled : MatrixPattern::chains;
+}
 
 void configure_linear_solver(KSP ksp, const System& system, const char* prefix) {
   check(KSPSetOptionsPrefix(ksp, prefix));
@@ -13,9 +16,9 @@ void configure_linear_solver(KSP ksp, const System& system, const char* prefix) 
   PC pc = nullptr;
   check(KSPGetPC(ksp, &pc));
   if (ranks_of(system.comm()) == 1)
-    use_lu(pc, system.coupled());
+    use_lu(pc, pattern_of(system));
   else
-    use_substructuring(pc, system.coupled());
+    use_substructuring(pc, pattern_of(system));
   check(KSPSetFromOptions(ksp));
 }
 

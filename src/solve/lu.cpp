@@ -127,8 +127,8 @@ PetscErrorCode apply_lu(PC pc, Vec b, Vec x) {
 
 }  // namespace
 
-void use_lu(PC pc, bool coupled) {
-  if (coupled)
+void use_lu(PC pc, MatrixPattern pattern) {
+  if (pattern == MatrixPattern::coupled)
     return use_shell(pc, "LU of nonzero blocks", std::make_unique<NonzeroBlocks>(), set_up_lu, apply_lu);
   check(PCSetType(pc, PCLU));
   check(PCFactorSetMatOrderingType(pc, MATORDERINGNATURAL));

@@ -144,15 +144,15 @@ int negative_pivots(Mat a) {
   return static_cast<int>(negative);
 }
 
-int negative_eigenvalues(Mat J, bool chains) {
-  if (chains && positive_definite_chains(J)) return 0;
+int negative_eigenvalues(Mat J, MatrixPattern pattern) {
+  if (pattern == MatrixPattern::chains && positive_definite_chains(J)) return 0;
   return negative_pivots(symmetric_part(J).get());
 }
 
 Stability stability(System& system, const Kinematics& state, Mat J) {
   constexpr double kRounding = 1e-11;  // of the largest eigenvalue
   Stability out;
-  out.negative = negative_eigenvalues(J, !system.coupled());
+  out.negative = negative_eigenvalues(J, pattern_of(system));
   if (out.negative <= 0) return out;
   const BodyRows bodies = rows_of_bodies(system);
   if (bodies.count() == 0 || bodies.count() > kMostDense) return out;

@@ -48,9 +48,9 @@ StaticSearch::StaticSearch(System& system, const StaticsSettings& settings, Stat
   check(SNESSetTolerances(snes_.get(), 0, 0, 0, settings.max_iterations + 1, PETSC_DEFAULT));
 }
 
-StaticsReport StaticSearch::run(bool skip_softening) {
+StaticsReport StaticSearch::run(From from) {
   const State start = state_;
-  if (!skip_softening) stiffen_by_levels();
+  if (from == From::start_shape) stiffen_by_levels();
   State last_equilibrium;  // the equilibrium that was left last
   double push = 0;         // m, distance from it at which relaxation began
   int pushes_of_lines = 0;
@@ -91,7 +91,7 @@ StaticsReport StaticSearch::run(bool skip_softening) {
 }
 
 Stability StaticSearch::judge() {
-  use_tangent(true, kStabilityShift);
+  use_tangent(TangentKind::exact, kStabilityShift);
   weights_.stabilisation = 0;
   tangent();
   // Frees the factors, so that they are not in memory together with those of the inertia.
@@ -236,7 +236,7 @@ SNESConvergedReason StaticSearch::test_convergence(int iteration) {
                progress(report_.norms).stagnates && !is_round_off();
   if (stagnates_ || iteration >= settings_.max_iterations) return SNES_DIVERGED_MAX_IT;
   const bool close = tangent_trusted(report_.norms);
-  use_tangent(close, close && shift_ < 1e-5 ? 0 : shift_);
+  use_tangent(close ? TangentKind::exact : TangentKind::convex, close && shift_ < 1e-5 ? 0 : shift_);
   return SNES_CONVERGED_ITERATING;
 }
 
@@ -372,7 +372,7 @@ bool StaticSearch::stop_at_kink(Bracket bracket, double slope) {
 void StaticSearch::polish() {
   for (int i = 0; i < kMaxPolishing; ++i) {
     residual();
-    use_tangent(true, 0);
+    use_tangent(TangentKind::exact, 0);
     newton(u_.get());
     downhill(u_.get());
     if (largest_factor() < 1) break;
@@ -392,8 +392,8 @@ void StaticSearch::polish() {
   residual();  // so that the reactions are those of the state
 }
 
-void StaticSearch::use_tangent(bool exact, double shift) {
-  exact_ = exact;
+void StaticSearch::use_tangent(TangentKind kind, double shift) {
+  exact_ = kind == TangentKind::exact;
   tangent_shift_ = shift;
   PetscInt unknowns = 0;
   check(VecGetSize(u_.get(), &unknowns));
@@ -413,7 +413,7 @@ double StaticSearch::downhill(Vec y) {
   PetscScalar rise = 0;
   check(VecDot(y, r_.get(), &rise));
   if (exact_ && !(rise > 0)) {
-    use_tangent(false, std::max(tangent_shift_, 1e-6));
+    use_tangent(TangentKind::convex, std::max(tangent_shift_, 1e-6));
     newton(y);
     check(VecDot(y, r_.get(), &rise));
   }

@@ -20,9 +20,10 @@ class StaticSearch : StaticTrial {
   StaticSearch(System& system, const StaticsSettings& settings, State& state,
                const RelaxationSettings* relaxation = nullptr);
 
-  // skip_softening: the state is an equilibrium in which little has changed. Throws SolveError, or what
-  // throw_no_equilibrium() throws.
-  StaticsReport run(bool skip_softening = false);
+  // From a start shape the search begins with soft lines, from a state near an equilibrium it does not.
+  // Throws SolveError, or what throw_no_equilibrium() throws.
+  enum class From { start_shape, near_equilibrium };
+  StaticsReport run(From from);
   // Throws SolveError if the squares of the forces at the start overflow, from which no step can recover.
   void check_start();
 
@@ -80,7 +81,8 @@ class StaticSearch : StaticTrial {
   void polish();
   // Selects the next tangent: exact, or convex. A unit of shift is the stiffness of a typical tension over an
   // element. The fraction `stabilisation` of K is proportional to the shift, up to 1.
-  void use_tangent(bool exact, double shift);
+  enum class TangentKind { exact, convex };
+  void use_tangent(TangentKind kind, double shift);
   void newton(Vec y);
   // Sets local_ and u_ to -y for Newton's direction y. If an exact tangent leads uphill, y is computed again
   // with the convex one. Returns the slope of the energy along it.

@@ -51,7 +51,8 @@ StaticsReport relax_then_newton(System& system, const StaticsSettings& settings,
   for (;;) {
     const State at_rest = state;
     try {
-      StaticsReport report = StaticSearch(system, settings, state, &r).run(true);
+      StaticsReport report =
+          StaticSearch(system, settings, state, &r).run(StaticSearch::From::near_equilibrium);
       report.iterations += relaxed.iterations;
       report.relaxation_steps += relaxed.steps;
       return report;
@@ -121,7 +122,7 @@ StaticsReport try_methods(System& system, const StaticsSettings& settings, const
     try {
       if (method == Method::relaxation) return relax_then_newton(system, settings, state);
       return StaticSearch(system, last ? without_relaxation(settings) : settings, state)
-          .run(settings.starts_near);
+          .run(settings.starts_near ? StaticSearch::From::near_equilibrium : StaticSearch::From::start_shape);
     } catch (const PathBlocked& blocked) {
       if (last || settings.starts_near) throw;
       failures.emplace_back(blocked.what());
@@ -139,7 +140,8 @@ StaticsReport raise_until_enough(System& system, const StaticsSettings& settings
   StaticsReport report = try_methods(system, settings, start, state);
   for (int round = 0; system.adapt_stiffness(state.at_rest()); ++round) {
     if (round == kMaxRaises) throw SolveError(advice::automatic_stiffness_unsettled());
-    const StaticsReport more = StaticSearch(system, without_relaxation(settings), state).run(true);
+    const StaticsReport more =
+        StaticSearch(system, without_relaxation(settings), state).run(StaticSearch::From::near_equilibrium);
     report.iterations += more.iterations;
     report.escapes += more.escapes;
     report.negative_eigenvalues = more.negative_eigenvalues;

@@ -18,7 +18,7 @@ using VecHandle = Handle<Vec, VecDestroy>;
 using KspHandle = Handle<KSP, KSPDestroy>;
 
 struct Substructure {
-  bool coupled = false;
+  MatrixPattern pattern = MatrixPattern::chains;
   int max_unknowns = 0;  // largest number of unknowns of a part
   std::optional<InterfaceParts> interface;
   Handle<PC, PCDestroy> mumps;                              // if a part is too large
@@ -56,7 +56,7 @@ PetscErrorCode factor_local_block(Mat Ad, PetscInt ghosts, Substructure& s) {
   PetscCall(KSPSetType(s.local_block.get(), KSPPREONLY));
   PC lu = nullptr;
   PetscCall(KSPGetPC(s.local_block.get(), &lu));
-  use_lu(lu, s.coupled);
+  use_lu(lu, s.pattern);
   PetscFunctionReturn(0);
 }
 
@@ -194,9 +194,9 @@ PetscErrorCode apply(PC pc, Vec b, Vec x) {
 
 }  // namespace
 
-void use_substructuring(PC pc, bool coupled, int max_unknowns) {
+void use_substructuring(PC pc, MatrixPattern pattern, int max_unknowns) {
   auto s = std::make_unique<Substructure>();
-  s->coupled = coupled;
+  s->pattern = pattern;
   s->max_unknowns = max_unknowns;
   use_shell(pc, "lines cut between ranks", std::move(s), setup, apply);
 }

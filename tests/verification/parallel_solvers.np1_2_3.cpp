@@ -140,7 +140,7 @@ void substructured(KSP ksp, const System&) {
   PC pc = nullptr;
   check(KSPSetType(ksp, KSPPREONLY));
   check(KSPGetPC(ksp, &pc));
-  use_substructuring(pc, true, std::numeric_limits<int>::max());
+  use_substructuring(pc, MatrixPattern::coupled, std::numeric_limits<int>::max());
 }
 
 class ParallelSolvers : public ::testing::Test {
@@ -272,7 +272,7 @@ TEST_F(ParallelSolvers, ChainsThatDoNotTouchAreSolvedEachForItself) {
     check(KSPCreate(PETSC_COMM_WORLD, ksp.out()));
     check(KSPSetType(ksp.get(), KSPPREONLY));
     check(KSPGetPC(ksp.get(), &pc));
-    use_substructuring(pc, false, most);
+    use_substructuring(pc, MatrixPattern::chains, most);
     EXPECT_LT(residual_of(ksp.get(), A.get()), 1e-12);
     const char* name = nullptr;
     check(PCShellGetName(pc, &name));
@@ -302,7 +302,7 @@ TEST_F(ParallelSolvers, BlocksComeIntoUseAndGoOutOfIt) {
   check(KSPCreate(PETSC_COMM_SELF, ksp.out()));
   check(KSPSetType(ksp.get(), KSPPREONLY));
   check(KSPGetPC(ksp.get(), &pc));
-  use_lu(pc, true);
+  use_lu(pc, MatrixPattern::coupled);
 
   const MatHandle A = matrix(5);
   for (PetscInt i = 0; i < 5; ++i)

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "hawser/advice/beyond_periods.hpp"
 #include "hawser/kernels/platform_waves.hpp"
 #include "hawser/model/platform.hpp"
 
@@ -14,10 +15,10 @@ std::string directions_not_covered(const std::string& key, const char* quantity,
                                    const model::Coverage& coverage);
 std::string directions_missing(const char* quantity, const WaveForceTable& table,
                                const model::Coverage& coverage);
-// Waves of shorter (or longer) periods than the last one [s] of the files; energy: their fraction.
-std::string periods_not_covered(const std::string& key, const char* quantity, double energy, bool shorter,
-                                double last);
-std::string periods_missing(const char* quantity, double energy, bool shorter, double last);
+// Waves of shorter or longer periods than the last one [s] of the files; energy: their fraction.
+std::string periods_not_covered(const std::string& key, const char* quantity, double energy,
+                                BeyondPeriods beyond, double last);
+std::string periods_missing(const char* quantity, double energy, BeyondPeriods beyond, double last);
 
 // direction: rad, relative to the bow.
 std::string one_direction_of_difference_forces(const std::string& key, double direction);

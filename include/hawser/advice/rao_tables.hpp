@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "hawser/advice/beyond_periods.hpp"
 #include "hawser/kernels/rao.hpp"
 
 namespace hawser::advice {
@@ -24,9 +25,9 @@ std::string sea_in_direction_gap(const std::string& key, size_t waves, double di
                                  const DirectionGap& gap);
 // The table has one direction [rad]; waves are up to `furthest` [rad] away from it.
 std::string only_one_direction(const std::string& key, double direction, double furthest);
-// Waves with this fraction of the energy, to the period `farthest` [s], are shorter (or longer) than the last
+// Waves with this fraction of the energy, to the period `farthest` [s], are shorter or longer than the last
 // period of the table [s].
-std::string sea_beyond_responses(const std::string& key, double energy, bool shorter, double farthest,
+std::string sea_beyond_responses(const std::string& key, double energy, BeyondPeriods beyond, double farthest,
                                  double last);
 // A fast change of the phase between rows, where this fraction of the energy is; more: number of other
 // places.

@@ -12,6 +12,7 @@
 
 #include "hawser/base/deferred_error.hpp"
 #include "hawser/base/runs.hpp"
+#include "hawser/math/function_ref.hpp"
 #include "hawser/solve/event_search.hpp"
 #include "hawser/solve/generalized_alpha.hpp"
 #include "hawser/solve/kink_stiffness.hpp"
@@ -69,8 +70,7 @@ class Dynamics {
   // A feeder releases or absorbs a node. `change` makes the change and, on the ranks that have that node,
   // returns its motion; `nodes` returns the tied nodes afterwards. Mean forces and reactions change by the
   // change of the forces of the state; everything else continues. Collective.
-  void transfer_node(const std::function<std::optional<Moved>()>& change,
-                     const std::function<std::vector<TiedNode>()>& nodes);
+  void transfer_node(FunctionRef<std::optional<Moved>()> change, FunctionRef<std::vector<TiedNode>()> nodes);
   // Checkpoint data in addition to the state.
   struct RestartData {
     double step_proposal = 0;

@@ -1,10 +1,10 @@
 // Linear motion of lines and bodies in waves about an equilibrium. See docs/theory/platforms.md.
 #pragma once
 
-#include <functional>
 #include <vector>
 
 #include "hawser/kernels/platform_waves.hpp"
+#include "hawser/math/function_ref.hpp"
 #include "hawser/system/system.hpp"
 
 namespace hawser {
@@ -15,6 +15,6 @@ namespace hawser {
 // frequency that follow each other share a factorisation. K is that of natural modes. Collective. Throws
 // SolveError if the equations are singular.
 void linear_responses(System& system, const Kinematics& state, const std::vector<WaveComponent>& waves,
-                      const std::function<void(size_t, const std::vector<Complex>&)>& each);
+                      FunctionRef<void(size_t, const std::vector<Complex>&)> each);
 
 }  // namespace hawser

@@ -5,11 +5,14 @@
 
 #include <petscksp.h>
 
+#include "hawser/solve/lu.hpp"
 #include "hawser/system/system.hpp"
 
 namespace hawser {
 
 using KspHandle = Handle<KSP, KSPDestroy>;
+
+MatrixPattern pattern_of(const System& system);
 
 // Sets type, preconditioner and options prefix ("statics_", "dynamics_") of a KSP for tangents of `system`.
 void configure_linear_solver(KSP ksp, const System& system, const char* prefix);

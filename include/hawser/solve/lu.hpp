@@ -5,9 +5,12 @@
 
 namespace hawser {
 
-// Makes `pc` an LU for matrices in blocks of 3 on one rank. coupled: the matrix's pattern contains pairs of
-// nodes that are not adjacent, so only nonzero blocks are eliminated, in the order of minimum degree.
-// Otherwise the matrix is that of chains, which have no fill in their own order. Collective on one rank.
-void use_lu(PC pc, bool coupled);
+// Pattern of a tangent. chains: it contains only pairs of nodes that are adjacent along a line, which causes
+// no fill in their own order; coupled: other pairs too.
+enum class MatrixPattern { chains, coupled };
+
+// Makes `pc` an LU for matrices in blocks of 3 on one rank. Of a coupled matrix only nonzero blocks are
+// eliminated, in the order of minimum degree. Collective on one rank.
+void use_lu(PC pc, MatrixPattern pattern);
 
 }  // namespace hawser

@@ -2,6 +2,7 @@
 // eigenvalue. If forces have no potential, the reverse need not hold (docs/theory/statics.md, "Stability").
 #pragma once
 
+#include "hawser/solve/lu.hpp"
 #include "hawser/system/system.hpp"
 
 namespace hawser {
@@ -17,10 +18,10 @@ MatHandle symmetric_part(Mat J);
 // Collective. -1: the factorisation failed.
 int negative_pivots(Mat a);
 
-// The same for the symmetric part of a tangent. chains: the lines are not coupled. If, besides, no line is
-// cut between ranks and no lines meet at a joint (which causes fill), Cholesky's factorisation of a copy can
-// show that there are none without MUMPS. Collective.
-int negative_eigenvalues(Mat J, bool chains = false);
+// The same for the symmetric part of a tangent. If it is that of chains, of which none is cut between ranks,
+// and no lines meet at a joint (which causes fill), Cholesky's factorisation of a copy can show that there
+// are none without MUMPS. Collective.
+int negative_eigenvalues(Mat J, MatrixPattern pattern = MatrixPattern::coupled);
 
 struct Stability {
   // Number of negative eigenvalues of the symmetric part of the tangent. If everything else is stable while

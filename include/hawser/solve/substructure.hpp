@@ -11,14 +11,16 @@
 
 #include <petscksp.h>
 
+#include "hawser/solve/lu.hpp"
+
 namespace hawser {
 
 // Largest number of unknowns of a part of the interface for which its dense system is used.
 inline constexpr int kMaxShared = 400;
 
 // Makes `pc` the substructuring solver (on more than one rank, for MPIBAIJ matrices of a symmetric pattern).
-// If a part of the interface has more than `max_unknowns` unknowns, MUMPS solves the whole matrix. coupled:
-// see use_lu(), for a rank's own part. Collective.
-void use_substructuring(PC pc, bool coupled, int max_unknowns = kMaxShared);
+// If a part of the interface has more than `max_unknowns` unknowns, MUMPS solves the whole matrix. pattern:
+// that of a rank's own part. Collective.
+void use_substructuring(PC pc, MatrixPattern pattern, int max_unknowns = kMaxShared);
 
 }  // namespace hawser
