@@ -27,14 +27,13 @@ void DeepContacts::put(const Deepest& d, PerLine& to) {
 }
 
 bool DeepContacts::in_impact(const ActiveContact& at, const Snapshot& s) const {
-  constexpr double kPeriods = 2;  // as ContactVolumes::require
   const model::Case& c = subject_.model;
   const model::Volume& volume = c.volumes[volumes_[at.volume]];
-  if (volume.basis != model::StiffnessBasis::automatic || !(s.step.h > 0)) return false;
+  if (volume.basis != model::StiffnessBasis::automatic) return false;
   double heaviest = 0;  // kg/m
   for (const model::Section& section : c.lines[at.line].sections)
     heaviest = std::max(heaviest, c.line_type(section.type).mass_per_length);
-  return s.step.h < kPeriods * contact_period(contact_->stiffness(at.volume), heaviest);
+  return resolves_impact(s.step.h, contact_period(contact_->stiffness(at.volume), heaviest));
 }
 
 void DeepContacts::step(const Snapshot& s) {

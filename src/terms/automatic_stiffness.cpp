@@ -87,4 +87,9 @@ double contact_period(double stiffness, double mass_per_length) {
   return 2 * M_PI * std::sqrt(mass_per_length / stiffness);
 }
 
+bool resolves_impact(double h, double period) {
+  constexpr double kPeriods = 2;
+  return h > 0 && h < kPeriods * period;
+}
+
 }  // namespace hawser

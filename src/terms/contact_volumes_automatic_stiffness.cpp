@@ -17,11 +17,8 @@ namespace {
 constexpr double kAllowed = 0.004, kMoving = 2, kRaisedTo = 0.25;
 // Penetration of an impact with all of its mass and speed, as a fraction of the radius.
 constexpr double kImpactDepth = 0.5;
-// Steps shorter than this many periods of the mass on its spring follow an impact; penetration in them may be
-// due to the impact.
-constexpr double kFollowing = 2;
-// In such steps the stiffness is raised only if the penetration exceeds kDeepInAnImpact times the allowed one
-// and at least the fraction kPressed of the contact force is not due to inertia.
+// In steps that resolve an impact the stiffness is raised only if the penetration exceeds kDeepInAnImpact
+// times the allowed one and at least the fraction kPressed of the contact force is not due to inertia.
 constexpr double kDeepInAnImpact = 10, kPressed = 0.99;
 // In motion, the allowed penetration at the deepest point of a straight element (at an edge) is kDeepest
 // times the allowed mean over the element. At rest the deepest point decides, because the tension of a line
@@ -78,19 +75,19 @@ void ContactVolumes::require(int volume, const NormalLaw& law, const PressedPoin
   double demand = 0;
   // Period with the stiffness at the start of the step.
   const double period = contact_period(law.stiffness * committed_[k] / now, p.mass);
-  const bool resolves_impact = step > 0 && p.mass > 0 && step < kFollowing * period;
-  const bool pressed = !resolves_impact || p.static_fraction > kPressed;
-  const double times = resolves_impact ? kDeepInAnImpact : step > 0 ? kMoving : 1;
+  const bool in_impact = resolves_impact(step, period);
+  const bool pressed = !in_impact || p.static_fraction > kPressed;
+  const double times = in_impact ? kDeepInAnImpact : step > 0 ? kMoving : 1;
   const bool at_rest = step <= 0;
   const double depth = given > 0 || at_rest ? p.depth : std::max(p.mean_depth, times / kDeepest * p.depth);
   if (pressed && p.static_fraction * depth > times * allowed) {
-    const double max_factor = resolves_impact ? std::max(1 + step / period, kLeastInAStep) : kMostInAStep;
+    const double max_factor = in_impact ? std::max(1 + step / period, kLeastInAStep) : kMostInAStep;
     demand = now * p.static_fraction * depth / (kRaisedTo * allowed);
     if (step > 0) demand = std::min(demand, max_factor * committed_[k]);
   }
   // The penetration of an impact is u sqrt(m/k). A spring that is already loaded releases its energy only
   // within a part of its period; raising its stiffness would only load it further.
-  const bool loaded = resolves_impact && p.depth > 0;
+  const bool loaded = in_impact && p.depth > 0;
   if (step > 0 && !loaded)
     demand =
         std::max(demand, now * p.mass * std::pow(p.speed / (kImpactDepth * p.radius), 2) / law.stiffness);

@@ -51,4 +51,8 @@ double bending_radius(const model::Volume& v, double line_radius);
 // Period [s] of a line that oscillates on a contact stiffness k [N/m²] with its mass per length [kg/m].
 double contact_period(double stiffness, double mass_per_length);
 
+// True if a step of h [s], 0 at rest, is as short as those that resolve an impact: shorter than two periods
+// [s] of the mass on its contact spring. Penetration in such a step may be due to the impact.
+bool resolves_impact(double h, double period);
+
 }  // namespace hawser
