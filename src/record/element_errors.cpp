@@ -36,11 +36,22 @@ double excess(double p, double turn, double R) { return turn * turn * (0.5 * p -
 
 constexpr int kNodesTag = 76;
 
+// A volume of a floating body gives way to a longer line.
+bool holds_all_volumes(const model::Case& c) {
+  return std::ranges::none_of(c.volumes,
+                              [&](const model::Volume& v) { return c.floats(c.body_index(v.body)); });
+}
+
 }  // namespace
 
 ElementErrors::ElementErrors(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh,
                              const Feeders* feeders)
-    : case_(c), mesh_(mesh), feeders_(feeders), comm_(comm), lines_(mesh) {
+    : case_(c),
+      mesh_(mesh),
+      feeders_(feeders),
+      volumes_are_held_(holds_all_volumes(c)),
+      comm_(comm),
+      lines_(mesh) {
   LineOwners lines = line_owners(mesh);
   uncut_ = std::move(lines.uncut);
   const int rank = rank_of(comm);
@@ -205,12 +216,8 @@ void ElementErrors::update_sag(const InState& s, OfLine& worst) const {
   if (candidate.error > worst.sag.error) worst.sag = candidate;
 }
 
-// A volume of a floating body gives way to a longer line.
 bool ElementErrors::is_held_over_volumes(const LineSpan& line) const {
-  return case_.holds_both_ends(case_.lines[&line - mesh_.mesh->lines.data()]) &&
-         std::ranges::none_of(case_.volumes, [&](const model::Volume& v) {
-           return !v.body.empty() && case_.floats(case_.body_index(v.body));
-         });
+  return volumes_are_held_ && case_.holds_both_ends(case_.lines[&line - mesh_.mesh->lines.data()]);
 }
 
 // The exact curve goes straight to an edge of radius R and bends along it. An element outside the edge turns
@@ -219,7 +226,6 @@ bool ElementErrors::is_held_over_volumes(const LineSpan& line) const {
 void ElementErrors::update_corners(const InState& s, double stiffness, Worst& worst) const {
   const auto& [line, nodes, elements, first, last, time] = s;
   if (case_.contact.method != model::ContactMethod::line) return;
-  if (!is_held_over_volumes(line)) return;
   const auto touches = [&](int i) { return nodes[i].on_volume && nodes[i + 1].on_volume; };
   const auto chord = [&](int i) { return Vec3((nodes[i + 1].x - nodes[i].x).normalized()); };
   double sum = 0;
@@ -252,7 +258,7 @@ void ElementErrors::update_corners(const InState& s, double stiffness, Worst& wo
   }
   candidate.excess = sum;
   candidate.error = sum * stiffness;
-  if (candidate.error > worst.error) worst = candidate;
+  if (candidate.error > worst.error && is_held_over_volumes(line)) worst = candidate;
 }
 
 // Above the liftoff point the static tension of a cable grows by its submerged weight times the height. An
@@ -294,7 +300,6 @@ void ElementErrors::update_lifts(const InState& s, Worst& worst) const {
 // begins to bend the line the moment changes its slope within an element.
 void ElementErrors::update_bends(const InState& s, Worst& worst) const {
   const auto& [line, nodes, elements, first, last, time] = s;
-  const bool is_held = is_held_over_volumes(line);
   for (int n = first; n <= last; ++n) {
     const At& values = nodes[n];
     if (values.moment <= worst.error || !(values.tension > 0)) continue;
@@ -312,7 +317,7 @@ void ElementErrors::update_bends(const InState& s, Worst& worst) const {
       const bool falls = e.beam && nodes[n + side].moment < values.moment * std::exp(-0.5 * std::min(x, 1.0));
       const double error = falls ? values.moment * (at_end ? wrong_at_end(x) : wrong_inside(x)) : 0;
       Worst of_side{.error = error, .arc = arc(line, n), .time = time, .length = e.length, .decay = decay};
-      of_side.held = values.on_volume && x > kLongAtLiftoff && is_held;
+      of_side.held = values.on_volume && x > kLongAtLiftoff && is_held_over_volumes(line);
       of_side.recommended = decay * (at_end ? kRecommendedAtEnd : kRecommendedInside);
       if (error < smallest.error) smallest = of_side;
       if (!falls && on_volume) continues = true;

@@ -66,9 +66,9 @@ class ElementErrors : public Recording {
   };
   At node(size_t n, const Kinematics& state, const Values& values) const;
   void update_sag(const InState& s, OfLine& worst) const;
-  // stiffness: N/m, tension by a change of the length of the line.
   // True if the ends of the line and all volumes are held, so that its tension depends on its length.
   bool is_held_over_volumes(const LineSpan& line) const;
+  // stiffness: N/m, tension by a change of the length of the line.
   void update_corners(const InState& s, double stiffness, Worst& worst) const;
   void update_lifts(const InState& s, Worst& worst) const;
   void update_bends(const InState& s, Worst& worst) const;
@@ -78,6 +78,7 @@ class ElementErrors : public Recording {
   const model::Case& case_;
   const LocalMesh& mesh_;
   const Feeders* feeders_;
+  const bool volumes_are_held_;
   MPI_Comm comm_;
   // Lines with all nodes on this rank; cut lines whose first node this rank owns, and their number of nodes.
   std::vector<int> uncut_, cut_;
