@@ -142,6 +142,34 @@ bool releases(const model::Case& c, const std::string& line, LineEnd end) {
   });
 }
 
+// Positions, rotations and rates of a checkpoint, ghosts included. Collective.
+AlphaState restored_state(const io::Checkpoint& c, const LocalMesh& m, const System& system) {
+  AlphaState s;
+  s.s.resize(m.nodes());
+  s.s.time = c.time;
+  alpha_start(m, s);
+  const size_t owned = m.owned;
+  const auto take = [&](const char* name, std::vector<Vec3>& to) {
+    const auto& f = c.nodes.at(name);
+    for (size_t n = 0; n < owned && !to.empty(); ++n) to[n] = Eigen::Map<const Vec3>(f.values.data() + 3 * n);
+  };
+  for (size_t i = 0; i < std::size(kVectors); ++i) take(kVectors[i], vectors(s, i));
+  const auto& q = c.nodes.at("rotation").values;
+  for (size_t n = 0; n < owned; ++n) s.s.q[n] = Quat(q[4 * n], q[4 * n + 1], q[4 * n + 2], q[4 * n + 3]);
+  for (const auto& [name, values] : {std::pair{kDirectors, &s.s.directors}, {kAlgorithmicDirectors, &s.ad}}) {
+    if (!has_directors(m)) break;
+    const auto& f = c.nodes.at(name).values;
+    for (size_t n = 0; n < owned; ++n) (*values)[n] = Eigen::Map<const Mat3>(f.data() + 9 * n);
+  }
+  system.update_ghosts(s.s);
+  system.update_ghosts(s.ax);
+  if (has_directors(m)) {
+    system.update_ghosts(s.aw);
+    system.update_ghosts(s.ad);
+  }
+  return s;
+}
+
 // Fault for an end of a line that the case holds at an anchor or a floating body, at another position than
 // that of the checkpoint; empty: none. Bodies with prescribed motion are excluded, since their motion may
 // differ. Collective.
@@ -151,15 +179,7 @@ std::string moved_end(const io::Checkpoint& c, Simulation& simulation) {
   const System& system = simulation.system();
   const LocalMesh& m = simulation.local();
   const Mesh& mesh = *m.mesh;
-  const auto& x = c.nodes.at("position").values;
-  const auto& q = c.nodes.at("rotation").values;
-  State s(m.nodes());
-  for (size_t n = 0; n < static_cast<size_t>(m.owned); ++n) {
-    s.x[n] = Eigen::Map<const Vec3>(x.data() + 3 * n);
-    s.q[n] = Quat(q[4 * n], q[4 * n + 1], q[4 * n + 2], q[4 * n + 3]);
-  }
-  system.update_ghosts(s);
-  if (c.time == 0) return "";  // points of a start shape may differ from the held ends
+  const State s = restored_state(c, m, system).s;
   for (const TiedNode& tied : system.tied_nodes().nodes()) {
     if (!m.owns(tied.node) || tied.body >= 0 || tied.position_mask != 7) continue;
     if (tied.frame >= 0 && m.node(tied.frame).body < 0) continue;
@@ -285,11 +305,11 @@ io::Checkpoint read_checked(const std::string& path, Simulation& simulation) {
   }
   if (const std::string wrong = first_text(comm, damage(c)); !wrong.empty())
     throw InputError(advice::cannot_continue(path, wrong));
-  if (const std::string moved = first_text(comm, moved_end(c, simulation)); !moved.empty())
-    throw refuse(moved);
   if (!c.nodes.count(kMeanQ)) throw older(comm, path, "the mean forces of cables");
   if (!record::has_audit(c)) throw older(comm, path, "the energy audit");
   check_records(c, simulation.system(), path);
+  if (const std::string moved = first_text(comm, moved_end(c, simulation)); !moved.empty())
+    throw refuse(moved);
   return c;
 }
 
@@ -322,34 +342,6 @@ std::vector<std::string> compare_changes(MPI_Comm comm, const std::string& path,
 }
 
 namespace {
-
-// Positions, rotations and rates of a checkpoint, ghosts included. Collective.
-AlphaState restored_state(const io::Checkpoint& c, const LocalMesh& m, const System& system) {
-  AlphaState s;
-  s.s.resize(m.nodes());
-  s.s.time = c.time;
-  alpha_start(m, s);
-  const size_t owned = m.owned;
-  const auto take = [&](const char* name, std::vector<Vec3>& to) {
-    const auto& f = c.nodes.at(name);
-    for (size_t n = 0; n < owned && !to.empty(); ++n) to[n] = Eigen::Map<const Vec3>(f.values.data() + 3 * n);
-  };
-  for (size_t i = 0; i < std::size(kVectors); ++i) take(kVectors[i], vectors(s, i));
-  const auto& q = c.nodes.at("rotation").values;
-  for (size_t n = 0; n < owned; ++n) s.s.q[n] = Quat(q[4 * n], q[4 * n + 1], q[4 * n + 2], q[4 * n + 3]);
-  for (const auto& [name, values] : {std::pair{kDirectors, &s.s.directors}, {kAlgorithmicDirectors, &s.ad}}) {
-    if (!has_directors(m)) break;
-    const auto& f = c.nodes.at(name).values;
-    for (size_t n = 0; n < owned; ++n) (*values)[n] = Eigen::Map<const Mat3>(f.data() + 9 * n);
-  }
-  system.update_ghosts(s.s);
-  system.update_ghosts(s.ax);
-  if (has_directors(m)) {
-    system.update_ghosts(s.aw);
-    system.update_ghosts(s.ad);
-  }
-  return s;
-}
 
 // Values by block from those stored by node; zero at ghosts.
 std::vector<double> restored_rows(const io::Checkpoint& c, const LocalMesh& m, const char* name) {

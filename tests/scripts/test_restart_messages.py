@@ -84,6 +84,13 @@ class RestartMessages(unittest.TestCase):
                 self.refused("it holds another case: end B of line rope is at [", "--restart", "half.h5", "-o", "rest.h5",
                              "--set", "lines.rope.end_b.at[0]=5.1", ranks=ranks)
 
+    def test_positions_in_a_checkpoint_of_the_start(self):
+        failed = self.run_case("-o", "start.h5", "--set", "bodies.float.floating.loads=[{table: {rows: [[0, 0, 0, 0], [0.001, 1e30, 0, 0]]}}]")
+        self.assertIn("stopped at t = 0 s", failed.stderr)
+        self.refused("end A of line rope is at [50, 0, -10] m in the file, and this case holds it at [51, 0, -10] m", "--restart", "start.h5",
+                     "-o", "rest.h5", "--set", "lines.rope.end_a.anchor[0]=51")
+        self.succeed("--restart", "start.h5", "-o", "rest.h5")
+
     def test_a_released_end_is_where_it_is(self):
         write(self.folder, "case.yaml", CASE + "events: [{release: {line: rope, end: end_a}, time: 0.1}]\n")
         self.succeed("--stop-at", "0.2", "-o", "released.h5")
