@@ -193,10 +193,8 @@ BodyStiffness HeldBodies::stiffness(int body) {
 // Tensions at the middle of elements, and at the ends, which carry half an element's weight more.
 std::vector<double> HeldBodies::tensions() const {
   const Kinematics at = sim_.state().at_rest();
-  std::vector<LineTension> tensions(sim_.mesh().lines.size());
-  for (const HasAxialStiffness* t : sim_.system().with<HasAxialStiffness>()) t->tensions(at, tensions);
   std::vector<double> out;
-  for (const LineTension& t : tensions) out.push_back(t.tension);
+  for (const LineTension& t : sim_.system().line_tensions(at)) out.push_back(t.tension);
   record::EndForces ends(sim_.system());
   const std::vector<Vec3> nothing(static_cast<size_t>(sim_.local().nodes()), Vec3::Zero());
   ends.evaluate(at, nothing);

@@ -159,11 +159,7 @@ std::optional<advice::HookedLines> hooked_lines(const System& system, const Kine
   ActiveContacts contacts;
   pairs->active_contacts(evaluated, contacts);
   const Mesh& mesh = *system.mesh().mesh;
-  std::vector<LineTension> lines(mesh.lines.size());
-  for (const HasAxialStiffness* t : system.with<HasAxialStiffness>()) t->tensions(evaluated, lines);
-  std::vector<double> tensions;
-  for (const LineTension& t : lines) tensions.push_back(t.tension);
-  all_reduce(system.comm(), MPI_MAX, tensions);
+  const std::vector<LineTension> tensions = system.line_tensions(evaluated);
 
   struct Sum {
     double force = 0, arc = 0, other_arc = 0;  // N, N m, N m
@@ -179,7 +175,7 @@ std::optional<advice::HookedLines> hooked_lines(const System& system, const Kine
   const Sum* largest = nullptr;
   advice::HookedLines out;
   for (const auto& [pair, sum] : sums) {
-    if (!(sum.force > std::min(tensions[pair.first], tensions[pair.second]))) continue;
+    if (!(sum.force > std::min(tensions[pair.first].tension, tensions[pair.second].tension))) continue;
     if (largest && sum.force <= largest->force) continue;
     largest = &sum;
     out = {.line = mesh.line_names[pair.first],

@@ -27,13 +27,18 @@ std::optional<advice::Overstretched> System::overstretched(const Kinematics& sta
                                .EA = worst.EA};
 }
 
+std::vector<LineTension> System::line_tensions(const Kinematics& state) const {
+  std::vector<LineTension> all(mesh_.mesh->lines.size());
+  for (const HasAxialStiffness* t : listed<HasAxialStiffness>()) t->tensions(state, all);
+  MPI_Allreduce(MPI_IN_PLACE, all.data(), static_cast<int>(3 * all.size()), MPI_DOUBLE, MPI_MAX, comm_);
+  return all;
+}
+
 // Without dead loads the tension may be zero to round-off.
 std::optional<advice::LostInRounding> System::lost_in_rounding(const Kinematics& state) const {
   const double load = dead_load();
   if (load == 0) return std::nullopt;
-  std::vector<LineTension> lines(mesh_.mesh->lines.size());
-  for (const HasAxialStiffness* t : listed<HasAxialStiffness>()) t->tensions(state, lines);
-  MPI_Allreduce(MPI_IN_PLACE, lines.data(), static_cast<int>(3 * lines.size()), MPI_DOUBLE, MPI_MAX, comm_);
+  const std::vector<LineTension> lines = line_tensions(state);
   for (size_t l = 0; l < lines.size(); ++l) {
     const LineTension& t = lines[l];
     const double ratio = t.round_off / std::max(t.tension, load);

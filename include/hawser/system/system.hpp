@@ -146,6 +146,8 @@ class System {
   // The most overstretched element of this rank, if any; not collective.
   Overstretch overstretch(const Kinematics& state) const;
   std::optional<advice::LostInRounding> lost_in_rounding(const Kinematics& state) const;
+  // By line of the mesh, the same on all ranks. Collective.
+  std::vector<LineTension> line_tensions(const Kinematics& state) const;
   // Energy summed over the terms, this rank's share.
   Energy energy(const Kinematics& state) const;
   FieldRegistry fields() const;
