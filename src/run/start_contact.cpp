@@ -7,6 +7,7 @@
 
 #include "hawser/advice/start_contact.hpp"
 #include "hawser/base/mpi.hpp"
+#include "hawser/math/broken_line.hpp"
 #include "hawser/model/check.hpp"
 
 namespace hawser::run {
@@ -47,27 +48,17 @@ advice::InsideVolume inside_volume(const Inside& s, const Mesh& mesh, double out
   return {s.from, s.to, s.at, s.depth, s.place, mesh.lines[s.line].length, outside_with};
 }
 
-// Polyline along which a line is laid at equal fractions of both lengths.
-class LaidPath {
- public:
-  LaidPath(const std::vector<Vec3>& points, double line_length) : points_(points), line_length_(line_length) {
-    for (size_t i = 1; i < points.size(); ++i)
-      ends_.push_back(ends_.back() + (points[i] - points[i - 1]).norm());
-  }
-  // arc: of the line, m.
-  Vec3 at(double arc) const {
-    const double s = std::clamp(arc / line_length_, 0.0, 1.0) * ends_.back();
-    size_t i = 1;
-    while (i + 1 < points_.size() && s > ends_[i]) ++i;
-    const double z = (s - ends_[i - 1]) / (ends_[i] - ends_[i - 1]);
-    return points_[i - 1] + z * (points_[i] - points_[i - 1]);
-  }
-
- private:
-  const std::vector<Vec3>& points_;
-  double line_length_ = 0;
-  std::vector<double> ends_{0};
-};
+// Points of the polyline along which a line is laid at equal fractions of both lengths, each with its arc
+// length of the line, m.
+using LaidPoints = std::vector<std::pair<double, Vec3>>;
+LaidPoints laid_points(const std::vector<Vec3>& points, double line_length) {
+  LaidPoints laid{{0, points.front()}};
+  for (size_t i = 1; i < points.size(); ++i)
+    laid.emplace_back(laid.back().first + (points[i] - points[i - 1]).norm(), points[i]);
+  const double stretch = line_length / laid.back().first;
+  for (auto& [arc, point] : laid) arc *= stretch;
+  return laid;
+}
 
 // Longest of the elements that are partly in the interval, m of arc length.
 double longest_element(const Mesh& mesh, const Inside& s) {
@@ -81,15 +72,15 @@ double longest_element(const Mesh& mesh, const Inside& s) {
   return longest;
 }
 
-// True if straight elements of this length [m] between points of the path, wherever they begin near the
+// True if straight elements of this length [m] between points of the polyline, wherever they begin near the
 // interval, are outside the volume.
-bool is_outside_with(const LaidPath& path, double length, const Inside& s, double margin,
+bool is_outside_with(const LaidPoints& laid, double length, const Inside& s, double margin,
                      const Surface& surface, const RigidPose& pose) {
   constexpr int kBegins = 8, kSamples = 16;  // in an element
   const double last = s.to + margin;
   for (double begin = s.from - margin - length; begin < last; begin += length / kBegins) {
-    const Vec3 a = path.at(begin);
-    const Vec3 b = path.at(begin + length);
+    const Vec3 a = on_broken_line(laid, begin);
+    const Vec3 b = on_broken_line(laid, begin + length);
     for (int k = 0; k <= kSamples; ++k) {
       const double fraction = static_cast<double>(k) / kSamples;
       const Vec3 x = a + fraction * (b - a);
@@ -107,11 +98,11 @@ double elements_outside(const PlacedLines& lines, const std::vector<ContactVolum
   const model::Line& line = lines.c.lines[s.line];
   if (line.start != model::Start::points || line.points.size() < 2) return 0;
   const Mesh& mesh = *lines.mesh.mesh;
-  const LaidPath path(line.points, mesh.lines[s.line].length);
+  const LaidPoints laid = laid_points(line.points, mesh.lines[s.line].length);
   const RigidPose pose = lines.bodies.pose(volumes[s.volume].body, lines.state);
   const double longest = longest_element(mesh, s);
   for (const int parts : {2, 3, 4, 6, 8, 12, 16, 24, 32})
-    if (is_outside_with(path, longest / parts, s, longest, *volumes[s.volume].surface, pose))
+    if (is_outside_with(laid, longest / parts, s, longest, *volumes[s.volume].surface, pose))
       return kMargin * longest / parts;
   return 0;
 }
