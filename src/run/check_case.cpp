@@ -18,7 +18,7 @@
 #include "hawser/record/recorder.hpp"
 #include "hawser/record/result_parts.hpp"
 #include "hawser/record/water_errors.hpp"
-#include "hawser/run/bodies_moved_by_statics.hpp"
+#include "hawser/run/bodies_in_contact.hpp"
 #include "hawser/run/cost.hpp"
 #include "hawser/run/driver.hpp"
 #include "hawser/run/events.hpp"

@@ -1,27 +1,23 @@
-// Sequence of a run: reading, static equilibrium, time integration with outputs and checkpoints, stop by a
-// signal, final messages and exit code.
+// Sequence of a run: reading, static equilibrium, time integration, final messages and exit code.
 #include "hawser/run/driver.hpp"
 
 #include <fmt/format.h>
 #include <petsclog.h>
 
 #include <algorithm>
-#include <csignal>
 #include <filesystem>
 #include <optional>
 #include <utility>
 
 #include "hawser/advice/restart.hpp"
 #include "hawser/advice/run.hpp"
-#include "hawser/advice/start_contact.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/base/mpi.hpp"
-#include "hawser/base/share_of_time.hpp"
 #include "hawser/io/case_json.hpp"
 #include "hawser/io/case_reader.hpp"
 #include "hawser/record/energy_audit.hpp"
-#include "hawser/record/output_times.hpp"
 #include "hawser/record/recorder.hpp"
+#include "hawser/run/bodies_in_contact.hpp"
 #include "hawser/run/events.hpp"
 #include "hawser/run/feeder_nodes.hpp"
 #include "hawser/run/hull_check.hpp"
@@ -29,22 +25,11 @@
 #include "hawser/run/progress.hpp"
 #include "hawser/run/restart.hpp"
 #include "hawser/run/run_parts.hpp"
-#include "hawser/run/step_actions.hpp"
+#include "hawser/run/step_observer.hpp"
 #include "hawser/run/volumes.hpp"
-#include "hawser/terms/body_contact.hpp"
 
 namespace hawser::run {
 namespace {
-
-constexpr double kCheckpointShare = 0.02;  // of the time, unless the case gives their interval
-
-// Set by SIGINT, SIGTERM and SIGUSR1, which mpirun forwards to all ranks: the run ends at the next output
-// with everything on disk. A second signal ends it immediately.
-volatile std::sig_atomic_t stop_requested = 0;
-void request_stop(int signal) {
-  stop_requested = 1;
-  std::signal(signal, SIG_DFL);
-}
 
 // A part of the table of -log_view (PETSc: stage) for its lifetime; inside, events are named by term.
 class LoggedPart {
@@ -58,10 +43,6 @@ class LoggedPart {
   ~LoggedPart() { PetscLogStagePop(); }
 };
 
-void print_remarks(record::Recorder& recorder, Progress& progress) {
-  progress.print_warnings(recorder.remarks());
-}
-
 // A solver error ends the run with the results computed so far.
 void finish_failed(record::Recorder& recorder, const Progress& progress, const SolveError& e) {
   std::vector<std::string> messages = progress.messages();
@@ -69,107 +50,12 @@ void finish_failed(record::Recorder& recorder, const Progress& progress, const S
   recorder.finish(std::move(messages));
 }
 
-// What a run does after each accepted step: records it, executes events, and writes outputs and checkpoints
-// that are due. Collective.
-class StepObserver {
- public:
-  // end: s, of the run.
-  StepObserver(Simulation& sim, double end, record::Recorder& recorder, Events& events,
-               FeederNodes& feeder_nodes, Progress& progress)
-      : sim_(sim),
-        dynamics_(sim.dynamics()),
-        end_(end),
-        recorder_(recorder),
-        events_(events),
-        feeder_nodes_(feeder_nodes),
-        progress_(progress),
-        comm_(sim.system().comm()),
-        rank_(rank_of(comm_)),
-        times_(sim.model()),
-        output_at_(record::next_multiple(dynamics_.committed().s.time, times_.every)),
-        checkpoint_at_(record::next_multiple(dynamics_.committed().s.time, checkpoint_interval())) {}
-
-  // Returns whether the run continues.
-  bool observe(const StepInfo& info) {
-    const double slack = record::time_tolerance(info.time);
-    const bool last = info.time >= end_ - slack;
-    const Due due{info.time >= output_at_ - slack || last, info.time >= checkpoint_at_ - slack || last};
-    Requests requests;
-    // Outputs have the state before the events, checkpoints the state after them.
-    act_after_step(
-        events_, feeder_nodes_, [&] { requests = record_step(info, due); },
-        [&](const std::string& e) { progress_.print(e); });
-    if (due.checkpoint || requests.stop) {
-      if (last || requests.stop || times_.checkpoint_every > 0 || requests.checkpoint) save_state();
-      checkpoint_at_ = times_.checkpoint_every > 0 ? record::next_multiple(info.time, times_.checkpoint_every)
-                                                   : output_at_;
-    }
-    stopped_ = requests.stop && !last;
-    return !requests.stop;
-  }
-
-  void save_state() {
-    checkpoints_.spend([&] { recorder_.checkpoint(make_checkpoint(sim_, recorder_, events_)); });
-  }
-
-  // s, of the next output, checkpoint or event after `time`.
-  double next_stop(double time) const { return std::min(times_.next(time), events_.next(time)); }
-
-  bool stopped() const { return stopped_; }  // early, by a signal, on all ranks
-
- private:
-  struct Due {
-    bool output, checkpoint;
-  };
-  // What any rank requests: to stop, or a checkpoint by the clock.
-  struct Requests {
-    bool stop = false, checkpoint = false;
-  };
-
-  double checkpoint_interval() const {
-    return times_.checkpoint_every > 0 ? times_.checkpoint_every : times_.every;
-  }
-
-  Requests record_step(const StepInfo& info, const Due& due) {
-    recorder_.step(info, dynamics_.committed_kinematics());
-    print_remarks(recorder_, progress_);
-    progress_.step(info.time, info.h, info.iterations);
-    // Stop requests and checkpoints due by the clock are agreed on where all ranks communicate anyway.
-    int requests[2] = {0, 0};
-    if (due.output || due.checkpoint) {
-      requests[0] = stop_requested;
-      requests[1] = rank_ == 0 && checkpoints_.due();
-      all_reduce(comm_, MPI_MAX, requests);
-    }
-    const Requests out{requests[0] != 0, requests[1] != 0};
-    if (due.output || out.stop) {
-      recorder_.output(dynamics_.committed_kinematics());
-      output_at_ = record::next_multiple(info.time, times_.every);
-    }
-    return out;
-  }
-
-  Simulation& sim_;
-  Dynamics& dynamics_;
-  const double end_;
-  record::Recorder& recorder_;
-  Events& events_;
-  FeederNodes& feeder_nodes_;
-  Progress& progress_;
-  const MPI_Comm comm_;
-  const int rank_;
-  const record::OutputTimes times_;
-  double output_at_, checkpoint_at_;  // s
-  ShareOfTime checkpoints_{kCheckpointShare};
-  bool stopped_ = false;
-};
-
 // Time steps of a run up to `end` [s], with outputs, checkpoints and events. True: stopped early by a signal,
 // on all ranks. Throws SolveError with everything on disk. Collective.
 bool integrate(Simulation& sim, double end, record::Recorder& recorder, Events& events,
                FeederNodes& feeder_nodes, Progress& progress) {
   const LoggedPart logged("dynamics");
-  for (const int signal : {SIGINT, SIGTERM, SIGUSR1}) std::signal(signal, request_stop);
+  accept_stop_signals();
   Dynamics& d = sim.dynamics();
   progress.begin(d.committed().s.time, end);
   StepObserver observer(sim, end, recorder, events, feeder_nodes, progress);
@@ -294,28 +180,12 @@ void find_equilibrium_with_outputs(Simulation& sim, Events& events, RecorderAtFi
   release_freed_memory();
 }
 
-std::vector<std::string> bodies_driven_apart(Simulation& sim) {
-  std::vector<std::string> notes;
-  const auto* contact = sim.system().find<BodyContact>();
-  if (!contact) return notes;
-  const model::Case& c = sim.model();
-  for (const DrivenApart& d : contact->driven_apart(sim.dynamics().committed_kinematics())) {
-    const model::Volume& one = c.volumes[static_cast<size_t>(d.volume)];
-    const model::Volume& other = c.volumes[static_cast<size_t>(d.other_volume)];
-    const int body = c.body_index(one.body);
-    const bool floats = body >= 0 && c.bodies[static_cast<size_t>(body)].mass;
-    notes.push_back(
-        advice::driven_apart(one.name, other.name, floats ? one.body : other.body, d.energy, d.out));
-  }
-  return notes;
-}
-
 // Starts dynamics from the static equilibrium, or from the start shape without statics; writes a checkpoint
 // so that a run killed early can be continued.
 void start_motion(Simulation& sim, Events& events, record::Recorder& recorder, Progress& progress) {
   for (const std::string& e : events.begin()) progress.print(e);
   sim.dynamics().start(sim.state());
-  progress.print_notes(bodies_driven_apart(sim));
+  progress.print_notes(bodies_driven_apart(sim.model(), sim.system(), sim.dynamics().committed_kinematics()));
   // A start at rest is recorded at rest: initial velocities of motions are applied after it.
   recorder.start(sim.model().statics.enabled ? sim.state().at_rest() : sim.dynamics().committed_kinematics());
   sim.state() = State();  // dynamics has a separate copy
@@ -395,7 +265,7 @@ int run(MPI_Comm comm, const RunOptions& options) {
   FeederNodes feeder_nodes(sim);
   start_or_resume(sim, restart, options.restart, place.appends(), events, feeder_nodes, recorder, progress);
 
-  if (c.dynamics.enabled) print_remarks(recorder, progress);
+  if (c.dynamics.enabled) progress.print_warnings(recorder.remarks());
   const bool stopped = c.dynamics.enabled && integrate(sim, end, recorder, events, feeder_nodes, progress);
   progress.end();
   progress.print_notes(events.not_happened());

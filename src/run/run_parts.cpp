@@ -20,7 +20,7 @@
 #include "hawser/model/farm.hpp"
 #include "hawser/model/notes.hpp"
 #include "hawser/model/schema.hpp"
-#include "hawser/run/bodies_moved_by_statics.hpp"
+#include "hawser/run/bodies_in_contact.hpp"
 #include "hawser/run/events.hpp"
 #include "hawser/run/hull_check.hpp"
 #include "hawser/run/line_pairs.hpp"

@@ -1,11 +1,13 @@
-// Displacements of bodies in statics along the volumes on which they rest.
-#include "hawser/run/bodies_moved_by_statics.hpp"
+// Displacements of bodies in statics along the volumes on which they rest, and contacts that drive bodies
+// apart.
+#include "hawser/run/bodies_in_contact.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <utility>
 
+#include "hawser/advice/start_contact.hpp"
 #include "hawser/advice/statics.hpp"
 #include "hawser/base/mpi.hpp"
 #include "hawser/model/body_motion.hpp"
@@ -40,7 +42,7 @@ std::map<int, RestsOn> contacts_with_friction(const model::Case& c, const std::v
       const int own = first ? r.volume : r.other_volume;
       const int other = first ? r.other_volume : r.volume;
       const int body = c.body_index(c.volumes[own].body);
-      if (body < 0 || !c.bodies[body].mass) continue;
+      if (!c.floats(body)) continue;
       RestsOn& on = out[body];
       on.force += first ? r.force : Vec3(-r.force);
       if (!(r.force.norm() > on.largest)) continue;
@@ -93,6 +95,20 @@ std::vector<std::string> bodies_moved_by_statics(const model::Case& c, const Sys
     const double moved = along_surface(c, body, c.body_index(volume.body), on.force, poses);
     if (moved > significant(m))
       out.push_back(advice::moved_without_friction(c.bodies[body].name, moved, volume.name, on.friction));
+  }
+  return out;
+}
+
+std::vector<std::string> bodies_driven_apart(const model::Case& c, const System& system,
+                                             const Kinematics& start) {
+  std::vector<std::string> out;
+  const auto* contact = system.find<BodyContact>();
+  if (!contact) return out;
+  for (const DrivenApart& d : contact->driven_apart(start)) {
+    const model::Volume& one = c.volumes[d.volume];
+    const model::Volume& other = c.volumes[d.other_volume];
+    const std::string& body = c.floats(c.body_index(one.body)) ? one.body : other.body;
+    out.push_back(advice::driven_apart(one.name, other.name, body, d.energy, d.out));
   }
   return out;
 }

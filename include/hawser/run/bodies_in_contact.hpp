@@ -1,4 +1,5 @@
-// Bodies that statics moves along surfaces whose friction it excludes.
+// Notes on bodies in contact: those that statics moves along surfaces whose friction it excludes, and those
+// that overlap at the start of the motion.
 #pragma once
 
 #include <string>
@@ -16,5 +17,9 @@ namespace hawser::run {
 // ranks. Collective.
 std::vector<std::string> bodies_moved_by_statics(const model::Case& c, const System& system,
                                                  const Bodies& bodies, const Kinematics& equilibrium);
+// Messages about volumes that the energy of their contact drives apart (BodyContact::driven_apart). The same
+// on all ranks. Collective.
+std::vector<std::string> bodies_driven_apart(const model::Case& c, const System& system,
+                                             const Kinematics& start);
 
 }  // namespace hawser::run
