@@ -60,10 +60,9 @@ std::string compression_warning(const model::Case& c, const Extreme& at) {
   const double strut = M_PI * M_PI * EI / std::pow(model::length_of(line), 2);
   const double limit = std::max(kPinnedFoot * std::cbrt(EI * w * w), strut);
   if (!(-at.value > limit)) return {};
-  std::string finding = fmt::format(
-      "line {} is under an effective compression of {:.3g} kN at arc length "
-      "{:.6g} m, {}",
-      at.line, -at.value / 1000, at.arc, when_text(c, at.time));
+  std::string finding =
+      fmt::format("line {} is under an effective compression of {:.3g} kN at arc length {:.6g} m, {}",
+                  at.line, -at.value / 1000, at.arc, when_text(c, at.time));
   if (has_upper_end(c, line))
     return fmt::format(
         "{}; with a pinned lower end it buckles at about {:.2g} kN: is the tension at its upper end too low?",

@@ -47,9 +47,8 @@ std::string turns_on_edge(const std::string& line, const LongElements& at, doubl
 std::string longer_over_volume(const std::string& line, const LongElements& at, double largest) {
   return fmt::format(
       "the straight elements of line {} over a volume are {:.2g} m longer than the curve over it, most at "
-      "arc "
-      "length {:.4g} m (elements of {:.3g} m, turn {:.0f} degrees, t = {:.4g} s); because both ends of the "
-      "line are held, its tension is wrong {}: use elements of {:.2g} m there",
+      "arc length {:.4g} m (elements of {:.3g} m, turn {:.0f} degrees, t = {:.4g} s); because both ends of "
+      "the line are held, its tension is wrong {}: use elements of {:.2g} m there",
       line, at.excess, at.arc, at.length, at.turn * 180 / M_PI, at.time, off_by(at.error / largest),
       at.recommended);
 }

@@ -47,9 +47,8 @@ struct Audit {
   double size() const;
   // Error relative to size(), %.
   double percent() const;
-  // Warning about the energy error; empty: none. where: description of
-  // worst.node; initial_velocity_key: key of the motion that begins with a velocity ("bodies.vessel.motion"),
-  // or "".
+  // Warning about the energy error; empty: none. where: description of worst.node; initial_velocity_key: key
+  // of the motion that begins with a velocity ("bodies.vessel.motion"), or "".
   std::string warning(advice::StepChoice step, const std::string& where,
                       const std::string& initial_velocity_key = "") const;
   // True if the created or lost energy invalidates the results, or is not finite: the run has failed.

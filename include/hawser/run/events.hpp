@@ -20,9 +20,8 @@ class Events {
   Events(MPI_Comm comm, Simulation& simulation);
 
   // Statics of the case in its stages, or in one step without stages. `solve` finds an equilibrium from the
-  // previous one. `report` receives the events of each
-  // stage, one sentence each; `rested` is called with the index of each stage after its equilibrium. Throws
-  // SolveError if a stage cannot begin. Collective.
+  // previous one. `report` receives the events of each stage, one sentence each; `rested` is called with the
+  // index of each stage after its equilibrium. Throws SolveError if a stage cannot begin. Collective.
   void solve_stages(
       const std::function<void(StartsFrom)>& solve,
       const std::function<void(const std::string&)>& report = [](const std::string&) {},
