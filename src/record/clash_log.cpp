@@ -11,6 +11,9 @@ namespace {
 
 constexpr size_t kKept = 1000;  // largest ones for the final table
 
+// Kinds of the records of a checkpoint, in the order of checkpoint_kinds().
+constexpr int kSums = 0, kOpen = 1, kPlaces = 2, kEnded = 3, kLargest = 4, kReported = 5;
+
 auto pair_of(const auto& t) { return std::tuple(t.line, t.other_line, t.volume, t.other_volume); }
 
 double merge_length(const Runs<double>& by_line, int line) {
@@ -212,89 +215,55 @@ std::vector<io::ClashRow> ClashLog::largest(size_t max_rows) const {
   return rows;
 }
 
-namespace {
-
-constexpr size_t kRow = 17;
-
-void put(std::vector<double>& v, const io::ClashRow& r) {
-  for (const int i : {r.line, r.other_line, r.volume, r.other_volume}) v.push_back(i);
-  v.insert(v.end(), {r.start, r.end, r.from, r.to, r.other_from, r.other_to, r.peak_force, r.peak_time,
-                     r.peak_from, r.peak_to, r.impulse, r.peak_energy, r.penetration});
+std::vector<CheckpointKind> ClashLog::checkpoint_kinds() {
+  return {checkpoint_kind<KeptSums>("sums of the clash report"),
+          checkpoint_kind<KeptOpen>("open clashes"),
+          checkpoint_kind<KeptPlace>("places of open clashes"),
+          checkpoint_kind<io::ClashRow>("ended clashes"),
+          checkpoint_kind<io::ClashRow>("largest clashes"),
+          checkpoint_kind<io::ClashRow>("reported open clashes")};
 }
 
-// Reads numbers in the order in which put() and related functions wrote them.
-class Take {
- public:
-  explicit Take(const std::vector<double>& v) : v_(v) {}
-  double number() {
-    if (at_ >= v_.size()) throw std::invalid_argument("the clash report of the checkpoint is truncated");
-    return v_[at_++];
-  }
-  bool done() const { return at_ == v_.size(); }
-  size_t count() {
-    const double n = number();
-    if (!(n >= 0 && n <= static_cast<double>(v_.size())))
-      throw std::invalid_argument("the clash report of the checkpoint is damaged");
-    return static_cast<size_t>(n);
-  }
-  io::ClashRow row() {
-    io::ClashRow r;
-    for (int* i : {&r.line, &r.other_line, &r.volume, &r.other_volume}) *i = static_cast<int>(number());
-    for (double* x : {&r.start, &r.end, &r.from, &r.to, &r.other_from, &r.other_to, &r.peak_force,
-                      &r.peak_time, &r.peak_from, &r.peak_to, &r.impulse, &r.peak_energy, &r.penetration})
-      *x = number();
-    return r;
-  }
-
- private:
-  const std::vector<double>& v_;
-  size_t at_ = 0;
-};
-
-}  // namespace
-
-std::vector<double> ClashLog::save() const {
-  std::vector<double> v{time_, static_cast<double>(ended_count_)};
-  v.reserve(kRow * (open_.size() + ended_.size() + largest_.size() + reported_.open.size()) + 8);
-  for (const auto* rows : {&ended_, &largest_}) {
-    v.push_back(static_cast<double>(rows->size()));
-    for (const io::ClashRow& r : *rows) put(v, r);
-  }
-  v.push_back(static_cast<double>(open_.size()));
+std::vector<CheckpointRecord> ClashLog::save() const {
+  std::vector<CheckpointRecord> records{
+      record_of(0, 0, KeptSums{time_, ended_count_, reported_.ended}, kSums)};
+  CheckpointRecord of_open{0, 0, {}, kOpen};
+  CheckpointRecord of_places{0, 0, {}, kPlaces};
   for (const Open& o : open_) {
-    put(v, o.row);
-    v.push_back(o.force);
-    v.push_back(static_cast<double>(o.places.size()));
-    for (const auto& [from, to] : o.places) v.insert(v.end(), {from, to});
+    put(KeptOpen{o.row, o.force, o.places.size()}, of_open.values);
+    for (const auto& [from, to] : o.places) put(KeptPlace{from, to}, of_places.values);
   }
-  v.push_back(static_cast<double>(reported_.ended));
-  v.push_back(static_cast<double>(reported_.open.size()));
-  for (const io::ClashRow& r : reported_.open) put(v, r);
-  return v;
+  records.push_back(std::move(of_open));
+  records.push_back(std::move(of_places));
+  for (const auto& [kind, rows] :
+       {std::pair{kEnded, &ended_}, {kLargest, &largest_}, {kReported, &reported_.open}}) {
+    CheckpointRecord& of_rows = records.emplace_back(CheckpointRecord{0, 0, {}, kind});
+    for (const io::ClashRow& r : *rows) put(r, of_rows.values);
+  }
+  return records;
 }
 
-void ClashLog::restore(const std::vector<double>& values) {
-  Take take(values);
-  time_ = take.number();
-  ended_count_ = static_cast<long long>(take.number());
-  for (auto* rows : {&ended_, &largest_}) {
-    rows->clear();
-    for (size_t n = take.count(); n > 0; --n) rows->push_back(take.row());
-  }
+void ClashLog::restore(const std::vector<CheckpointRecord>& records) {
+  const auto record = [&](int kind) {
+    const CheckpointRecord* r = find_record(records, 0, 0, kind);
+    return r ? *r : CheckpointRecord{};
+  };
+  const auto kept = entry<KeptSums>(record(kSums));
+  time_ = kept.time;
+  ended_count_ = kept.ended;
+  const auto all_places = entries<KeptPlace>(record(kPlaces));
+  size_t next = 0;
   open_.clear();
-  for (size_t n = take.count(); n > 0; --n) {
-    Open& o = open_.emplace_back();
-    o.row = take.row();
-    o.force = take.number();
-    for (size_t p = take.count(); p > 0; --p) {
-      const double from = take.number();
-      o.places.emplace_back(from, take.number());
-    }
+  for (const KeptOpen& o : entries<KeptOpen>(record(kOpen))) {
+    if (o.places > all_places.size() - next)
+      throw std::invalid_argument("the clash report of the checkpoint is damaged");
+    Open& restored = open_.emplace_back(Open{o.row, {}, o.force});
+    for (size_t p = 0; p < o.places; ++p, ++next)
+      restored.places.emplace_back(all_places[next].from, all_places[next].to);
   }
-  reported_ = {ended_count_ - static_cast<long long>(ended_.size()), open()};
-  if (take.done()) return;  // older file
-  reported_ = {static_cast<long long>(take.number()), {}};
-  for (size_t n = take.count(); n > 0; --n) reported_.open.push_back(take.row());
+  ended_ = entries<io::ClashRow>(record(kEnded));
+  largest_ = entries<io::ClashRow>(record(kLargest));
+  reported_ = {kept.reported_ended, entries<io::ClashRow>(record(kReported))};
 }
 
 }  // namespace hawser::record

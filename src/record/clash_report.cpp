@@ -18,9 +18,8 @@
 namespace hawser::record {
 namespace {
 
-constexpr int kMostSteps = 256;  // stored by each rank
+constexpr size_t kMostSteps = 256;  // stored by each rank
 constexpr double kMergeDiameters = 4;
-constexpr size_t kTouch = 11;
 constexpr int kLogTag = 78;
 // Key in the records of a checkpoint, beside those of the terms.
 const std::string kRecords = "clash report";
@@ -34,19 +33,6 @@ ClashSettings settings_of(const model::Case& c, const Mesh& mesh) {
     of_types.push_back(o.merge_length > 0 ? o.merge_length : kMergeDiameters * t.contact_diameter);
   s.merge_length = largest_of_types(mesh, of_types);
   return s;
-}
-
-void put(std::vector<double>& to, const ActiveContact& t) {
-  for (const int i : {t.line, t.other_line, t.volume, t.other_volume}) to.push_back(i);
-  to.insert(to.end(), {t.from, t.to, t.other_from, t.other_to, t.force, t.energy, t.depth});
-}
-
-ActiveContact touch_at(const double* v) {
-  ActiveContact t;
-  int* which[] = {&t.line, &t.other_line, &t.volume, &t.other_volume};
-  for (int* i : which) *i = static_cast<int>(*v++);
-  for (double* x : {&t.from, &t.to, &t.other_from, &t.other_to, &t.force, &t.energy, &t.depth}) *x = *v++;
-  return t;
 }
 
 }  // namespace
@@ -69,29 +55,31 @@ void ClashReport::step(const Snapshot& s) {
   if (line_pairs_) line_pairs_->active_contacts(touches);
   if (body_contact_) body_contact_->active_contacts(touches);
   touches = merge_contacts(std::move(touches), settings_.merge_length);
-  steps_.insert(steps_.end(), {s.step.time, static_cast<double>(touches.size())});
-  for (const ActiveContact& t : touches) put(steps_, t);
-  if (++waiting_ >= kMostSteps) collect();
+  steps_.push_back({s.step.time, static_cast<int>(touches.size())});
+  contacts_.insert(contacts_.end(), touches.begin(), touches.end());
+  if (steps_.size() >= kMostSteps) collect();
 }
 
 void ClashReport::collect() {
-  const GatherPlan plan(comm_, static_cast<int>(steps_.size()));
-  std::vector<double> all;
-  plan.gather_on_first(steps_.data(), all);
+  const size_t steps = steps_.size();
+  std::vector<Step> all_steps;  // of all ranks, rank by rank
+  GatherPlan(comm_, static_cast<int>(steps)).gather_on_first(steps_.data(), all_steps);
+  ActiveContacts all_contacts;
+  const GatherPlan plan(comm_, static_cast<int>(contacts_.size()));
+  plan.gather_on_first(contacts_.data(), all_contacts);
   steps_.clear();
-  const int steps = std::exchange(waiting_, 0);
+  contacts_.clear();
   if (rank_ > 0) return;
-  std::vector<size_t> at(plan.starts().begin(), plan.starts().end() - 1);
-  for (int k = 0; k < steps; ++k) {
+  std::vector<int> next(plan.starts().begin(), plan.starts().end() - 1);  // contact of each rank
+  for (size_t k = 0; k < steps; ++k) {
     ActiveContacts touches;
-    double time = 0;
-    for (size_t& a : at) {
-      time = all[a];
-      const size_t touching = static_cast<size_t>(all[a + 1]);
-      a += 2;
-      for (size_t i = 0; i < touching; ++i, a += kTouch) touches.push_back(touch_at(all.data() + a));
+    for (size_t rank = 0; rank < next.size(); ++rank) {
+      const auto first = all_contacts.begin() + next[rank];
+      const int contacts = all_steps[rank * steps + k].contacts;
+      touches.insert(touches.end(), first, first + contacts);
+      next[rank] += contacts;
     }
-    log_.step(time, merge_contacts(std::move(touches), settings_.merge_length));
+    log_.step(all_steps[k].time, merge_contacts(std::move(touches), settings_.merge_length));
   }
 }
 
@@ -104,21 +92,34 @@ void ClashReport::take_clashes(io::ClashTables& to) {
 // log.
 void ClashReport::save(io::Checkpoint& to) {
   collect();
-  ListsByRank<double> log;
-  if (rank_ == 0) log[subject_.local().owner[0]] = log_.save();
-  log = send_lists(comm_, kLogTag, log);
   io::TermCheckpoint& kept = to.records[kRecords];
-  kept.kinds = {{"clash log", {{"number", 1, ""}}}};
-  if (subject_.local().owns_node(0)) kept.records = {{0, 0, std::move(log[0])}};
+  kept.kinds = ClashLog::checkpoint_kinds();
+  for (CheckpointRecord& r : log_.save()) {
+    ListsByRank<double> values;
+    if (rank_ == 0) values[subject_.local().owner[0]] = std::move(r.values);
+    values = send_lists(comm_, kLogTag, values);
+    if (!subject_.local().owns_node(0)) continue;
+    r.values = std::move(values[0]);
+    kept.records.push_back(std::move(r));
+  }
+}
+
+bool ClashReport::can_restore(const io::Checkpoint& from) {
+  const auto at = from.records.find(kRecords);
+  return at == from.records.end() || at->second.kinds == ClashLog::checkpoint_kinds();
 }
 
 void ClashReport::restore(const io::Checkpoint& from) {
   const auto at = from.records.find(kRecords);
-  const bool has_record = at != from.records.end() && !at->second.records.empty();
-  ListsByRank<double> log;
-  if (has_record) log[0] = at->second.records.front().values;
-  for (const auto& [rank, values] : send_lists(comm_, kLogTag, log))
-    if (!values.empty()) log_.restore(values);
+  if (at == from.records.end()) return;
+  std::vector<CheckpointRecord> log;  // on rank 0
+  for (int kind = 0; kind < static_cast<int>(at->second.kinds.size()); ++kind) {
+    ListsByRank<double> values;
+    if (const CheckpointRecord* r = find_record(at->second.records, 0, 0, kind)) values[0] = r->values;
+    for (auto& [rank, received] : send_lists(comm_, kLogTag, values))
+      log.push_back({0, 0, std::move(received), kind});
+  }
+  if (rank_ == 0) log_.restore(log);
 }
 
 std::string ClashReport::table() const {

@@ -10,9 +10,14 @@ namespace hawser::record {
 namespace {
 
 // Keys in a checkpoint.
-const std::string kPrefix = "statistics.", kBegun = "statistics.begun", kLatest = "statistics.latest";
-// Numbers of Sums, stored without NaN; the last is 1: data exist, 3: also at the latest step, 0: none.
-constexpr int kSaved = 9;
+const std::string kBegun = "statistics.begun", kLatest = "statistics.latest";
+// 0: the other numbers of a component, which are NaN then, are stored as 0; 1: there are values; 2: also at
+// the latest step.
+const char* const kKnown = "known";
+
+std::string key(const io::ResultField& field, const char* number) {
+  return "statistics." + field.name + "." + number;
+}
 
 }  // namespace
 
@@ -78,19 +83,17 @@ void NodeStatistics::save(io::Checkpoint& to) const {
   to.scalars[kBegun] = begun_;
   to.scalars[kLatest] = latest_;
   for (std::size_t f = 0; f < sums_.size(); ++f) {
-    to.nodes[kPrefix + fields_[f].name] = {
-        kSaved * fields_[f].components, {}, [&sums = sums_[f]] {
-          std::vector<double> values;
-          values.reserve(kSaved * sums.size());
-          for (const Sums& s : sums) {
-            const bool any = !std::isnan(s.lowest);
-            const bool last = !std::isnan(s.last);
-            values.insert(values.end(), {any ? s.lowest : 0, any ? s.lowest_time : 0, any ? s.highest : 0,
-                                         any ? s.highest_time : 0, any ? s.mean : 0, s.squares,
-                                         last ? s.last : 0, s.covered, any + 2.0 * last});
-          }
-          return values;
-        }};
+    const auto add = [&to, &field = fields_[f], &sums = sums_[f]](const char* name, auto number) {
+      to.nodes[key(field, name)] = {field.components, {}, [&sums, number] {
+                                      std::vector<double> values;
+                                      values.reserve(sums.size());
+                                      for (const Sums& s : sums) values.push_back(number(s));
+                                      return values;
+                                    }};
+    };
+    for (const auto& [name, member] : kNumbers)
+      add(name, [number = member](const Sums& s) { return std::isnan(s.*number) ? 0 : s.*number; });
+    add(kKnown, [](const Sums& s) { return std::isnan(s.lowest) ? 0.0 : std::isnan(s.last) ? 1.0 : 2.0; });
   }
 }
 
@@ -99,18 +102,26 @@ void NodeStatistics::restore(const io::Checkpoint& from) {
     const auto at = from.scalars.find(name);
     return at == from.scalars.end() ? 0 : at->second;
   };
+  const auto has = [&](std::size_t f, const char* number) {
+    const auto at = from.nodes.find(key(fields_[f], number));
+    return at != from.nodes.end() && at->second.values.size() == sums_[f].size();
+  };
   for (std::size_t f = 0; f < sums_.size(); ++f) {
-    const auto at = from.nodes.find(kPrefix + fields_[f].name);
-    if (at == from.nodes.end() || at->second.values.size() != kSaved * sums_[f].size()) return;
+    if (!has(f, kKnown)) return;
+    for (const auto& number : kNumbers)
+      if (!has(f, number.first)) return;
   }
   begun_ = scalar(kBegun) != 0;
   latest_ = scalar(kLatest);
   for (std::size_t f = 0; f < sums_.size(); ++f) {
-    const double* v = from.nodes.at(kPrefix + fields_[f].name).values.data();
-    for (Sums& s : sums_[f]) {
-      if (v[8] > 0) s = {v[0], v[1], v[2], v[3], v[4], v[5], v[8] > 2 ? v[6] : std::nan(""), v[7]};
-      v += kSaved;
+    const std::vector<double>& known = from.nodes.at(key(fields_[f], kKnown)).values;
+    for (const auto& [name, member] : kNumbers) {
+      const std::vector<double>& values = from.nodes.at(key(fields_[f], name)).values;
+      for (std::size_t i = 0; i < values.size(); ++i)
+        if (known[i] > 0) sums_[f][i].*member = values[i];
     }
+    for (std::size_t i = 0; i < known.size(); ++i)
+      if (known[i] < 2) sums_[f][i].last = std::nan("");
   }
 }
 

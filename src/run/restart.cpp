@@ -19,6 +19,7 @@
 #include "hawser/model/farm.hpp"
 #include "hawser/model/schema.hpp"
 #include "hawser/record/audit_checkpoint.hpp"
+#include "hawser/record/clash_report.hpp"
 #include "hawser/run/feeder_nodes.hpp"
 #include "hawser/run/restart_file_check.hpp"
 #include "hawser/run/version.hpp"
@@ -307,6 +308,7 @@ io::Checkpoint read_checked(const std::string& path, Simulation& simulation) {
     throw InputError(advice::cannot_continue(path, wrong));
   if (!c.nodes.count(kMeanQ)) throw older(comm, path, "the mean forces of cables");
   if (!record::has_audit(c)) throw older(comm, path, "the energy audit");
+  if (!record::ClashReport::can_restore(c)) throw older(comm, path, "the clash report");
   check_records(c, simulation.system(), path);
   if (const std::string moved = first_text(comm, moved_end(c, simulation)); !moved.empty())
     throw refuse(moved);

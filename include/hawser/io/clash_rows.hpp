@@ -19,6 +19,27 @@ struct ClashRow {
   double peak_force = 0, peak_time = 0, peak_from = 0, peak_to = 0;  // N, s, m: contact range at the peak
   double impulse = 0;                       // N s, of the magnitude of the normal force
   double peak_energy = 0, penetration = 0;  // J, m
+
+  template <class Self, class Each>
+  static void quantities(Self& self, Each&& each) {
+    each("line", "", self.line);
+    each("other_line", "", self.other_line);
+    each("volume", "", self.volume);
+    each("other_volume", "", self.other_volume);
+    each("start", "s", self.start);
+    each("end", "s", self.end);
+    each("arc_from", "m", self.from);
+    each("arc_to", "m", self.to);
+    each("other_arc_from", "m", self.other_from);
+    each("other_arc_to", "m", self.other_to);
+    each("peak_force", "N", self.peak_force);
+    each("peak_time", "s", self.peak_time);
+    each("peak_arc_from", "m", self.peak_from);
+    each("peak_arc_to", "m", self.peak_to);
+    each("impulse", "N s", self.impulse);
+    each("peak_energy", "J", self.peak_energy);
+    each("penetration", "m", self.penetration);
+  }
 };
 
 // Clashes of an output; those of rank 0 are written.

@@ -7,6 +7,7 @@
 
 #include "hawser/base/runs.hpp"
 #include "hawser/io/clash_rows.hpp"
+#include "hawser/system/checkpoint_record.hpp"
 #include "hawser/terms/active_contact.hpp"
 
 namespace hawser::record {
@@ -43,15 +44,47 @@ class ClashLog {
   long long count() const { return ended_count_ + static_cast<long long>(open_.size()); }
   std::vector<io::ClashRow> largest(size_t max_rows) const;
 
-  // Complete state as numbers, and its restoration.
-  std::vector<double> save() const;
-  void restore(const std::vector<double>& values);  // throws std::invalid_argument for invalid numbers
+  // Complete state, a record of each kind at node 0, and its restoration, which throws std::invalid_argument
+  // for invalid records.
+  static std::vector<CheckpointKind> checkpoint_kinds();
+  std::vector<CheckpointRecord> save() const;
+  void restore(const std::vector<CheckpointRecord>& records);
 
  private:
   struct Open {
     io::ClashRow row;
     std::vector<std::pair<double, double>> places;  // m, at the last contact
     double force = 0;                               // N, at the last step; 0: currently no contact
+  };
+  // In a checkpoint the places of all open clashes follow each other in one record.
+  struct KeptOpen {
+    io::ClashRow row;
+    double force = 0;  // N
+    size_t places = 0;
+    template <class Self, class Each>
+    static void quantities(Self& self, Each&& each) {
+      io::ClashRow::quantities(self.row, each);
+      each("force", "N", self.force);
+      each("places", "", self.places);
+    }
+  };
+  struct KeptPlace {
+    double from = 0, to = 0;  // m
+    template <class Self, class Each>
+    static void quantities(Self& self, Each&& each) {
+      each("from", "m", self.from);
+      each("to", "m", self.to);
+    }
+  };
+  struct KeptSums {
+    double time = 0;  // s
+    long long ended = 0, reported_ended = 0;
+    template <class Self, class Each>
+    static void quantities(Self& self, Each&& each) {
+      each("time", "s", self.time);
+      each("ended", "", self.ended);
+      each("reported ended", "", self.reported_ended);
+    }
   };
   // State of an open clash at this step: its contacts combined, and their places. joined: merged into
   // another.

@@ -23,6 +23,8 @@ class ClashReport : public Recording {
  public:
   // True if the case enables the report and has any contact.
   static bool enabled(const Subject& subject);
+  // False if the checkpoint has a report with other quantities, of another version.
+  static bool can_restore(const io::Checkpoint& from);
   // The subject must outlive the report.
   explicit ClashReport(const Subject& subject);
 
@@ -48,10 +50,15 @@ class ClashReport : public Recording {
   const BodyContact* body_contact_;  // likewise
   int rank_;
   ClashSettings settings_;
-  std::vector<int> volumes_;   // indices in the case of the volumes in contact with lines
-  std::vector<double> steps_;  // since the last collect(): time, number of contacts, contacts
-  int waiting_ = 0;            // number of steps in it
-  ClashLog log_;               // on rank 0
+  std::vector<int> volumes_;  // indices in the case of the volumes in contact with lines
+  // Since the last collect(): the steps, the same on all ranks, and the contacts of this rank in them.
+  struct Step {
+    double time = 0;  // s
+    int contacts = 0;
+  };
+  std::vector<Step> steps_;
+  ActiveContacts contacts_;
+  ClashLog log_;  // on rank 0
 };
 
 }  // namespace hawser::record

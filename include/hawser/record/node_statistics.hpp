@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "hawser/io/checkpoint.hpp"
@@ -33,6 +35,12 @@ class NodeStatistics {
     double last;     // value at the latest step; NaN: none
     double covered;  // s, total duration with values
   };
+  // The numbers of Sums by their names in a checkpoint.
+  static constexpr std::pair<const char*, double Sums::*> kNumbers[] = {
+      {"lowest", &Sums::lowest},   {"lowest time", &Sums::lowest_time},
+      {"highest", &Sums::highest}, {"highest time", &Sums::highest_time},
+      {"mean", &Sums::mean},       {"squares", &Sums::squares},
+      {"last", &Sums::last},       {"covered", &Sums::covered}};
   std::vector<io::ResultField> fields_;
   std::vector<std::size_t> place_;  // index of each among all fields
   std::vector<std::vector<Sums>> sums_;
