@@ -14,6 +14,10 @@ namespace {
 
 constexpr double kCheckpointShare = 0.02;  // of the time, unless the case gives their interval
 
+// Steps after which the ranks also agree on requests between outputs, so that a signal ends a run whose steps
+// have become very short.
+constexpr int kStepsBetweenRequests = 20;
+
 volatile std::sig_atomic_t stop_requested = 0;
 void request_stop(int signal) {
   stop_requested = 1;
@@ -74,19 +78,18 @@ StepObserver::Requests StepObserver::record_step(const StepInfo& info, const Due
   recorder_.step(info, dynamics_.committed_kinematics());
   progress_.print_warnings(recorder_.remarks());
   progress_.step(info.time, info.h, info.iterations);
-  // Stop requests and checkpoints due by the clock are agreed on where all ranks communicate anyway.
   int requests[2] = {0, 0};
-  if (due.output || due.checkpoint) {
+  if (due.output || due.checkpoint || ++steps_since_requests_ == kStepsBetweenRequests) {
+    steps_since_requests_ = 0;
     requests[0] = stop_requested;
     requests[1] = rank_ == 0 && checkpoints_.due();
     all_reduce(comm_, MPI_MAX, requests);
   }
-  const Requests out{requests[0] != 0, requests[1] != 0};
-  if (due.output || out.stop) {
+  if (due.output) {
     recorder_.output(dynamics_.committed_kinematics());
     output_at_ = record::next_multiple(info.time, times_.every);
   }
-  return out;
+  return {requests[0] != 0, requests[1] != 0};
 }
 
 }  // namespace hawser::run

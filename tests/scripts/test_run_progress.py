@@ -115,7 +115,7 @@ class Progress(unittest.TestCase):
             self.assertLess(len(line.splitlines()[0]), 40)
 
     def test_stopped_by_the_user(self):
-        # Ctrl-C and SIGTERM: the run ends at the next output, everything on disk, and can be continued.
+        # Ctrl-C and SIGTERM: the run ends, everything on disk, and can be continued.
         for sign in (signal.SIGINT, signal.SIGTERM):
             process = subprocess.Popen([HAWSER, "run", "rod.yaml"], cwd=self.folder, stdout=subprocess.PIPE, text=True)
             for line in process.stdout:
@@ -133,6 +133,23 @@ class Progress(unittest.TestCase):
             self.assertRegex(result.stdout, r"continuing from t = \d")
             self.assertNotIn("( 10 %)", result.stdout)
             self.assertIn("(100 %)", result.stdout)
+
+    def test_stopped_between_outputs(self):
+        # The next output is the last one: the run ends long before it, and continues like an unbroken run.
+        write(self.folder, "rod.yaml", (self.folder / "rod.yaml").read_text("utf-8").replace("every: 0.1", "every: 20"))
+        result = run(HAWSER, "run", "rod.yaml", "-o", "whole.h5", cwd=self.folder)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        with subprocess.Popen([HAWSER, "run", "rod.yaml"], cwd=self.folder, stdout=subprocess.PIPE, text=True) as process:
+            next(line for line in process.stdout if line.startswith("t = "))
+            process.send_signal(signal.SIGINT)
+            rest = process.stdout.read()
+        self.assertEqual(process.returncode, 130)
+        self.assertLess(float(re.search(r"stopped by a signal at t = (\S+) of 20 s", rest)[1]), 19)
+        result = run(HAWSER, "run", "rod.yaml", "--restart", "rod.h5", cwd=self.folder)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        whole, continued = Results(self.folder / "whole.h5"), Results(self.folder / "rod.h5")
+        self.assertEqual(list(whole.time), list(continued.time))
+        self.assertTrue((whole.field("position", whole.lines[0]) == continued.field("position", continued.lines[0])).all())
 
     def test_notes_of_the_start_are_in_the_file_of_a_run_that_is_killed(self):
         write(self.folder, "rod.yaml", (self.folder / "rod.yaml").read_text("utf-8").replace("EA: 2.0e7", "EA: 2.0e4"))

@@ -14,8 +14,8 @@
 
 namespace hawser::run {
 
-// From now on SIGINT, SIGTERM and SIGUSR1, which mpirun forwards to all ranks, end the run at the next output
-// with everything on disk. A second signal ends it immediately.
+// From now on SIGINT, SIGTERM and SIGUSR1, which mpirun forwards to all ranks, end the run within twenty
+// steps with everything on disk. A second signal ends it immediately.
 void accept_stop_signals();
 
 class StepObserver {
@@ -55,6 +55,7 @@ class StepObserver {
   const record::OutputTimes times_;
   double output_at_, checkpoint_at_;  // s
   ShareOfTime checkpoints_;
+  int steps_since_requests_ = 0;  // since the ranks last agreed on requests
   bool stopped_ = false;
 };
 
