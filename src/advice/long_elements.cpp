@@ -8,6 +8,8 @@
 namespace hawser::advice {
 namespace {
 
+std::string touched(const LongElements& at) { return at.over_line ? "another line" : "a volume"; }
+
 // Error as a percentage of the largest value. The estimates are asymptotic; from 50 % on no number is given.
 std::string off_by(double fraction) {
   return fraction < 0.5 ? fmt::format("by about {:.2g} % of the largest", 100 * fraction)
@@ -36,21 +38,21 @@ std::string turns_on_edge(const std::string& line, const LongElements& at, doubl
                     "as long){}, or ",
                     EI, friction_of_beam(turn));
   return fmt::format(
-      "line {} turns by {:.0f} degrees over a volume from one straight element of {:.3g} m to the next (arc "
+      "line {} turns by {:.0f} degrees over {} from one straight element of {:.3g} m to the next (arc "
       "length {:.4g} m, t = {:.4g} s), which changes its tension there by {:.2g} N, {:.2g} % of the "
       "largest: {}use elements of {:.2g} m there{}",
-      line, at.turn * 180 / M_PI, at.length, at.arc, at.time, at.error, 100 * at.error / largest, bending,
-      at.recommended,
+      line, at.turn * 180 / M_PI, touched(at), at.length, at.arc, at.time, at.error, 100 * at.error / largest,
+      bending, at.recommended,
       at.held ? " (bending stiffness would also change the tension, because both ends are held)" : "");
 }
 
 std::string longer_over_volume(const std::string& line, const LongElements& at, double largest) {
   return fmt::format(
-      "the straight elements of line {} over a volume are {:.2g} m longer than the curve over it, most at "
-      "arc length {:.4g} m (elements of {:.3g} m, turn {:.0f} degrees, t = {:.4g} s); because both ends of "
-      "the line are held, its tension is wrong {}: use elements of {:.2g} m there",
-      line, at.excess, at.arc, at.length, at.turn * 180 / M_PI, at.time, off_by(at.error / largest),
-      at.recommended);
+      "the straight elements of line {} over {} are {:.2g} m longer than the curve over it, most at arc "
+      "length {:.4g} m (elements of {:.3g} m, turn {:.0f} degrees, t = {:.4g} s); because both ends of the "
+      "line are held, its tension is wrong {}: use elements of {:.2g} m there",
+      line, touched(at), at.excess, at.arc, at.length, at.turn * 180 / M_PI, at.time,
+      off_by(at.error / largest), at.recommended);
 }
 
 std::string sags_between_nodes(const std::string& line, const LongElements& at, double largest) {

@@ -14,6 +14,7 @@ namespace hawser::record {
 namespace {
 
 constexpr double kAllowed = 0.005;  // of the tension
+constexpr double kAllowedOverLines = 0.02;
 constexpr double kInside = 0.3;     // fraction of errors within the contact that counts
 constexpr double kLeft = 0.0025;    // error of elements of the recommended length
 constexpr double kEvenly = 0.5;     // of a turn: with both neighbours above it the line follows a smooth bend
@@ -22,12 +23,16 @@ constexpr double kStraight = 1e-4;  // rad
 
 constexpr int kTag = 75;
 
-Vec3 vector_of(std::span<const double> values, size_t n) {
-  return {values[3 * n], values[3 * n + 1], values[3 * n + 2]};
+double allowed(bool over_line) { return over_line ? kAllowedOverLines : kAllowed; }
+
+// N, contact force at a node without friction.
+Vec3 normal_force(std::span<const double> force, std::span<const double> friction, size_t n) {
+  if (force.empty()) return Vec3::Zero();
+  return Eigen::Map<const Vec3>(force.data() + 3 * n) - Eigen::Map<const Vec3>(friction.data() + 3 * n);
 }
 
-// True if volumes may press on elements without bending stiffness of the line.
-bool is_cable_on_volumes(const model::Case& c, const model::Line& line) {
+// True if elements without bending stiffness of the line may have contact.
+bool is_cable_in_contact(const model::Case& c, const model::Line& line) {
   const auto is_cable = [&](const model::Section& s) {
     return c.line_type(s.type).kind != model::LineKind::beam;
   };
@@ -46,7 +51,7 @@ EdgeErrors::EdgeErrors(MPI_Comm comm, const model::Case& c, const LocalMesh& mes
   const int rank = rank_of(comm);
   const std::span<const NodeRanks::Run> owners = mesh.owner.runs();
   for (const int l : lines_.lines()) {
-    if (!is_cable_on_volumes(c, c.lines[l])) continue;
+    if (!is_cable_in_contact(c, c.lines[l])) continue;
     const LineSpan& line = mesh.mesh->lines[l];
     const int end = line.first_node + line.nodes;
     const auto first = static_cast<int>(pieces_.size());
@@ -85,13 +90,16 @@ EdgeErrors::EdgeErrors(MPI_Comm comm, const model::Case& c, const LocalMesh& mes
 // Without friction contact forces are normal to a sliding line. On the straight elements of a cable they are
 // normal to each element and therefore have a tangential component at a node where the line turns: with t the
 // mean of both directions, (T_after - T_before) cos(angle/2) + F.t = 0. A surface that supports a line end-on
-// has such a component as well; it is limited to what a turn can cause.
+// has such a component as well; it is limited to what a turn can cause. In an impact the part that
+// may accelerate the node is excluded.
 std::vector<PressedTurn> EdgeErrors::turns(const Kinematics& state, const Values& v) const {
   std::vector<PressedTurn> out;
   for (size_t n = 0; n < neighbours_.size(); ++n) {
     const Neighbours& beside = neighbours_[n];
     if (beside.before < 0 || beside.after < 0) continue;
-    const Vec3 F = vector_of(v.force, n) - vector_of(v.friction, n);
+    const Vec3 of_volumes = normal_force(v.force, v.friction, n);
+    const Vec3 of_lines = normal_force(v.line_force, v.line_friction, n);
+    const Vec3 F = of_volumes + of_lines;
     if (F.isZero(0)) continue;
     const Vec3 a = (state.x[n] - state.x[beside.before]).normalized();
     const Vec3 b = (state.x[beside.after] - state.x[n]).normalized();
@@ -99,13 +107,18 @@ std::vector<PressedTurn> EdgeErrors::turns(const Kinematics& state, const Values
     const double tension = std::max({v.before[n], v.after[n], 0.0});
     const double limit = tension * (1 - std::cos(angle));
     const Vec3 along = (a + b).normalized();
-    const double tension_change =
-        angle > kStraight ? std::clamp(F.dot(along) / std::max(std::cos(0.5 * angle), 1e-3), -limit, limit)
-                          : 0;
     const int node = mesh_.global[n];
+    const double mass_per_length = type_at(node).mass_per_length;
+    const double inertia = state.moves() ? mass_per_length * beside.length * state.a[n].norm() : 0;
+    const double tangential = std::max(std::abs(F.dot(along)) - inertia, 0.0);
+    const double tension_change =
+        angle > kStraight
+            ? std::copysign(std::min(tangential / std::max(std::cos(0.5 * angle), 1e-3), limit), F.dot(along))
+            : 0;
     const double transverse_transit_time =
-        tension > 0 ? beside.length * std::sqrt(type_at(node).mass_per_length / tension) : 0;
-    out.push_back({node, angle, tension_change, tension, beside.length, transverse_transit_time});
+        tension > 0 && !of_volumes.isZero(0) ? beside.length * std::sqrt(mass_per_length / tension) : 0;
+    out.push_back({node, angle, tension_change, tension, beside.length, transverse_transit_time,
+                   of_lines.squaredNorm() > of_volumes.squaredNorm()});
   }
   return out;
 }
@@ -122,40 +135,48 @@ void EdgeErrors::update(const Kinematics& state, const Values& values) {
     while (pieces_[piece].last < turn.node) ++piece;
     of_pieces[piece] = joined(of_pieces[piece], PressedPart(turn));
   }
+  for (size_t i = 0; i < pieces_.size(); ++i) {
+    const NodesOfLine& p = pieces_[i];
+    if (p.rank != rank_of(comm_)) continue;
+    const auto from = static_cast<size_t>(mesh_.find(p.first));
+    const size_t to = from + static_cast<size_t>(p.last - p.first) + 1;
+    for (size_t n = from; n < to; ++n)
+      of_pieces[i].tension = std::max({of_pieces[i].tension, values.before[n], values.after[n]});
+  }
   exchange<PressedPart>(
       comm_, kTag, shared_, [&](int i) { return of_pieces[i]; },
       [&](int i, const PressedPart& part) { of_pieces[i] = part; });
-  pressed_.clear();
   for (size_t i = 0; i < pieces_.size();) {
     const int line = pieces_[i].line;
     PressedPart of_line;
     for (; i < pieces_.size() && pieces_[i].line == line; ++i) of_line = joined(of_line, of_pieces[i]);
+    lines_[line].tension = std::max(lines_[line].tension, of_line.tension);
     if (!of_line.pressed) continue;
-    pressed_.push_back(line);
     update_worst(line, of_line, state.time);
   }
 }
 
-// The tensions on both sides of a volume differ by the sum over the nodes between them. Within the contact
+// The tensions on both sides of a contact differ by the sum over the nodes between them. Within the contact
 // errors alternate between elements, and only a fraction counts.
 void EdgeErrors::update_worst(int line, const PressedPart& of_line, double time) {
   OfLine& w = lines_[line];
-  w.tension = std::max(w.tension, of_line.tension);
-  passages_[line] = {of_line.transverse_transit_time, time};
+  if (of_line.transverse_transit_time > 0) passages_[line] = {of_line.transverse_transit_time, time};
   SumRange inside = of_line.inside;
   SumRange outside = of_line.outside;
   inside.add(0);
   outside.add(0);
   outside.add(of_line.sum);
   const double error = std::max(outside.width(), kInside * inside.width());
-  if (!(error > w.at.error)) return;
+  const bool over_line = of_line.worst.over_line;
+  if (!(error * allowed(w.at.over_line) > w.at.error * allowed(over_line))) return;
   const PressedTurn& worst_turn = of_line.worst;
   w.at = {.error = error,
           .arc = mesh_.mesh->node(worst_turn.node).arc,
           .time = time,
           .turn = worst_turn.angle,
           .length = worst_turn.length,
-          .held = case_.holds_both_ends(case_.lines[line])};
+          .held = case_.holds_both_ends(case_.lines[line]),
+          .over_line = over_line};
   w.turn_of_element = worst_turn.angle + std::max(of_line.before, of_line.after);
   const bool evenly = std::min(of_line.before, of_line.after) > kEvenly * worst_turn.angle;
   const double of_edge = advice::kOfContactRadius * 0.5 * type_at(worst_turn.node).contact_diameter;
@@ -177,7 +198,9 @@ std::string EdgeErrors::warning(const std::string& name, const OfLine& w, double
                                w.sharp_turn);
 }
 
-bool EdgeErrors::exceeds(const OfLine& w, double largest) { return w.at.error > kAllowed * largest; }
+bool EdgeErrors::exceeds(const OfLine& w, double largest) {
+  return w.at.error > allowed(w.at.over_line) * largest;
+}
 
 void EdgeErrors::declare(Declarations& to) {
   const auto needed = [&](const char* name) {
@@ -186,19 +209,29 @@ void EdgeErrors::declare(Declarations& to) {
   };
   force_ = needed("contact_force");
   friction_ = needed("friction_force");
+  line_force_ = needed("line_contact_force");
+  line_friction_ = needed("line_friction_force");
   before_ = needed("effective_tension_before");
   after_ = needed("effective_tension_after");
 }
 
 void EdgeErrors::step(const Snapshot& s) {
-  if (force_ < 0 || friction_ < 0 || before_ < 0 || after_ < 0) return;
-  update(s.at, {s.values[force_], s.values[friction_], s.values[before_], s.values[after_]});
+  if (before_ < 0 || after_ < 0) return;
+  const auto field = [&](int f) {
+    return f < 0 ? std::span<const double>() : std::span<const double>(s.values[f]);
+  };
+  update(s.at, {field(force_), field(friction_), field(before_), field(after_), field(line_force_),
+                field(line_friction_)});
+}
+
+// One reduction for all lines.
+void EdgeErrors::output(const Snapshot&) {
   struct Found {
     int line = 0;
     OfLine worst;
   };
   std::vector<Found> found;  // by the rank that owns the first node of a line
-  for (const int line : pressed_) {
+  for (const int line : lines_.lines()) {
     OfLine& w = lines_[line];
     if (w.reported || !exceeds(w, w.tension)) continue;
     w.reported = true;

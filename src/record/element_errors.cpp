@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <utility>
 
 #include "hawser/advice/input_warnings.hpp"
@@ -45,11 +46,12 @@ bool holds_all_volumes(const model::Case& c) {
 }  // namespace
 
 ElementErrors::ElementErrors(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh,
-                             const Feeders* feeders)
+                             const Feeders* feeders, const LinePairs* pairs)
     : case_(c),
       mesh_(mesh),
       feeders_(feeders),
       volumes_are_held_(holds_all_volumes(c)),
+      pairs_(pairs),
       comm_(comm),
       lines_(mesh) {
   LineOwners lines = line_owners(mesh);
@@ -84,7 +86,8 @@ ElementErrors::At ElementErrors::node(size_t n, const Kinematics& state, const V
           !values.pressed.empty() && values.pressed[n],
           values.supported[n],
           mesh_.node(n).two_sided,
-          !values.on_volume.empty() && values.on_volume[n]};
+          !values.on_volume.empty() && values.on_volume[n],
+          !values.on_line.empty() && values.on_line[n]};
 }
 
 void ElementErrors::declare(Declarations& to) {
@@ -100,10 +103,11 @@ void ElementErrors::output(const Snapshot& s) {
   const auto value_of = [&](int f) {
     return f < 0 ? std::span<const double>() : std::span<const double>(s.values[f]);
   };
-  Values v{value_of(tension_), value_of(moment_), {}, {}, {}};
+  Values v{value_of(tension_), value_of(moment_), {}, {}};
   v.pressed.resize(mesh_.owned, false);
   v.supported.resize(mesh_.owned, false);
   v.on_volume.resize(mesh_.owned, false);
+  v.on_line.resize(mesh_.owned, false);
   for (const TouchField& f : touches_)
     for (size_t n = 0, c = static_cast<size_t>(f.components); n < v.supported.size(); ++n)
       for (size_t k = 0; k < c; ++k)
@@ -111,7 +115,13 @@ void ElementErrors::output(const Snapshot& s) {
           v.supported[n] = true;
           if (f.with != advice::ContactWith::seabed) v.pressed[n] = true;
           if (f.with == advice::ContactWith::volume) v.on_volume[n] = true;
+          if (f.with == advice::ContactWith::line) v.on_line[n] = true;
         }
+  if (pairs_) {
+    ActiveContacts contacts;
+    pairs_->active_contacts(contacts);
+    for (const ActiveContact& c : contacts) v.contacts.push_back({c.line, c.other_line, c.force});
+  }
   update(s.at, v);
 }
 
@@ -130,6 +140,7 @@ std::vector<Warning> ElementErrors::warnings(const std::vector<io::SummaryRow>& 
 void ElementErrors::update(const Kinematics& state, const Values& values) {
   const auto inside = feeders_ ? feeders_->inside() : std::vector<std::array<int, 2>>();
   std::vector<Element> elements;
+  std::vector<OverLines> over_lines;
   const auto update_line = [&](int l, const At* nodes_of_line) {
     const LineSpan& line = mesh_.mesh->lines[l];
     elements.clear();
@@ -137,7 +148,7 @@ void ElementErrors::update(const Kinematics& state, const Values& values) {
     const std::span<const At> nodes(nodes_of_line, static_cast<size_t>(line.nodes));
     const auto [at_a, at_b] = inside.empty() ? std::array<int, 2>{} : inside[l];
     const InState s{line, nodes, elements, at_a, line.elements - at_b, state.time};
-    update_sag(s, lines_[l]);
+    update_sag(s, lines_[l], over_lines);
     if (!state.ends_step()) update_lifts(s, lines_[l].lift);
     if (!values.moment.empty()) update_bends(s, lines_[l].bend);
   };
@@ -166,11 +177,12 @@ void ElementErrors::update(const Kinematics& state, const Values& values) {
     update_line(l, nodes.data() + first);
     first += static_cast<size_t>(mesh_.mesh->lines[l].nodes);
   }
+  if (pairs_) update_over_lines(over_lines, values.contacts);
 }
 
 // The curve within a straight element is longer by theta²/24 of its length, with theta the turn across the
 // element. The line has this additional slack; its effect on the tension follows from the shape.
-void ElementErrors::update_sag(const InState& s, OfLine& worst) const {
+void ElementErrors::update_sag(const InState& s, OfLine& worst, std::vector<OverLines>& over_lines) const {
   const std::span<const At> nodes = s.nodes;
   const std::span<const Element> elements = s.elements;
   const int first = s.first;
@@ -211,7 +223,14 @@ void ElementErrors::update_sag(const InState& s, OfLine& worst) const {
   }
   if (!(compliance > 0) || tension == HUGE_VAL) return;
   const double stiffness = tension / compliance;
-  update_corners(s, stiffness, worst.corner);
+  const Worst corner = corners(s, stiffness);
+  const int l = static_cast<int>(&s.line - mesh_.mesh->lines.data());
+  const bool held = std::ranges::any_of(nodes, &At::on_volume) ? is_held_over_volumes(s.line)
+                                                               : case_.holds_both_ends(case_.lines[l]);
+  if (std::ranges::any_of(nodes, &At::on_line))
+    over_lines.push_back({l, corner, tension, compliance, held});
+  else if (held && corner.error > worst.corner.error)
+    worst.corner = corner;
   candidate.error = extension / compliance * tension;
   if (candidate.error > worst.sag.error) worst.sag = candidate;
 }
@@ -223,10 +242,13 @@ bool ElementErrors::is_held_over_volumes(const LineSpan& line) const {
 // The exact curve goes straight to an edge of radius R and bends along it. An element outside the edge turns
 // by a and b at its nodes and touches at the fraction b/(a + b) of its length, by its balance of moments.
 // Between elements that both touch, the curve is an arc tangent to both, and each has half of the turn.
-void ElementErrors::update_corners(const InState& s, double stiffness, Worst& worst) const {
+ElementErrors::Worst ElementErrors::corners(const InState& s, double stiffness) const {
   const auto& [line, nodes, elements, first, last, time] = s;
-  if (case_.contact.method != model::ContactMethod::line) return;
-  const auto touches = [&](int i) { return nodes[i].on_volume && nodes[i + 1].on_volume; };
+  const bool along_elements = case_.contact.method == model::ContactMethod::line;
+  const auto touches = [&](int i) {
+    const bool volume = along_elements && nodes[i].on_volume && nodes[i + 1].on_volume;
+    return volume || (nodes[i].on_line && nodes[i + 1].on_line);
+  };
   const auto chord = [&](int i) { return Vec3((nodes[i + 1].x - nodes[i].x).normalized()); };
   double sum = 0;
   double largest = 0;
@@ -254,11 +276,44 @@ void ElementErrors::update_corners(const InState& s, double stiffness, Worst& wo
                  .time = time,
                  .turn = a + b,
                  .length = e.length,
-                 .recommended = smooth ? 0 : advice::kOfContactRadius * radius};
+                 .recommended = smooth ? 0 : advice::kOfContactRadius * radius,
+                 .over_line = nodes[i].on_line && nodes[i + 1].on_line};
   }
   candidate.excess = sum;
   candidate.error = sum * stiffness;
-  if (candidate.error > worst.error && is_held_over_volumes(line)) worst = candidate;
+  return candidate;
+}
+
+// Two lines that press on each other share the length that both have in excess: with T the tension, d the
+// excess and S = T dl/dT the compliance of each, both tensions change by the fraction sum(T d)/sum(T S),
+// because the work of a displacement of their contact vanishes. Of several lines the one that presses most
+// counts. If that is not held, it yields to the excess.
+void ElementErrors::update_over_lines(const std::vector<OverLines>& local,
+                                      const std::vector<LineContact>& contacts) {
+  std::map<std::pair<int, int>, double> forces;
+  for (const LineContact& c : contacts) forces[{c.line, c.other}] += c.force;
+  std::vector<LineContact> pairs;
+  for (const auto& [pair, force] : forces) pairs.push_back({pair.first, pair.second, force});
+  forces.clear();
+  for (const LineContact& c : gather_all(comm_, pairs)) forces[{c.line, c.other}] += c.force;
+  std::map<int, std::pair<double, int>> pressing;  // by line: force and the other line
+  for (const auto& [pair, force] : forces)
+    for (const auto& [line, other] : {pair, std::pair(pair.second, pair.first)})
+      pressing[line] = std::max(pressing[line], {force, other});
+  std::map<int, OverLines> lines;
+  for (const OverLines& l : gather_all(comm_, local)) lines[l.line] = l;
+  for (OverLines l : local) {
+    const auto by = pressing.find(l.line);
+    if (by == pressing.end()) continue;
+    const OverLines& o = lines[by->second.second];
+    if (!l.held || !o.held) continue;
+    const double work = l.tension * l.compliance + o.tension * o.compliance;
+    const double own = l.tension * l.corner.excess / work;
+    if (!(own > kRecommendedError)) continue;  // its elements are short enough
+    l.corner.error = l.tension * (own + o.tension * o.corner.excess / work);
+    Worst& worst = lines_[l.line].corner;
+    if (l.corner.error > worst.error) worst = l.corner;
+  }
 }
 
 // Above the liftoff point the static tension of a cable grows by its submerged weight times the height. An

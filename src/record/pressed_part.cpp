@@ -1,4 +1,4 @@
-// Summaries of parts in contact with volumes: of one turn, and of two joined parts.
+// Summaries of parts in contact with volumes and lines: of one turn, and of two joined parts.
 #include "hawser/record/pressed_part.hpp"
 
 namespace hawser::record {
@@ -18,12 +18,16 @@ PressedPart::PressedPart(const PressedTurn& turn)
       worst(turn),
       sum(turn.tension_change),
       inside{turn.tension_change, turn.tension_change},
-      tension(turn.tension),
-      transverse_transit_time(turn.transverse_transit_time) {}
+      transverse_transit_time(turn.transverse_transit_time),
+      tension(turn.tension) {}
 
 PressedPart joined(const PressedPart& a, const PressedPart& b) {
-  if (!a.pressed) return b;
-  if (!b.pressed) return a;
+  const double tension = std::max(a.tension, b.tension);
+  if (!a.pressed || !b.pressed) {
+    PressedPart out = a.pressed ? a : b;
+    out.tension = tension;
+    return out;
+  }
   const bool touch = b.first.node == a.last.node + 1;
   const bool larger = std::abs(b.worst.tension_change) > std::abs(a.worst.tension_change);
   PressedPart out = larger ? b : a;
@@ -35,8 +39,8 @@ PressedPart joined(const PressedPart& a, const PressedPart& b) {
   out.inside = joined(a.inside, b.inside, a.sum);
   out.outside = joined(a.outside, b.outside, a.sum);
   if (!touch) out.outside.add(a.sum);
-  out.tension = std::max(a.tension, b.tension);
   out.transverse_transit_time = std::max(a.transverse_transit_time, b.transverse_transit_time);
+  out.tension = tension;
   return out;
 }
 

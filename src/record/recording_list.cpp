@@ -32,6 +32,7 @@
 #include "hawser/record/utilisation.hpp"
 #include "hawser/record/water_errors.hpp"
 #include "hawser/terms/feeders.hpp"
+#include "hawser/terms/line_pairs.hpp"
 #include "hawser/terms/line_volume_contact.hpp"
 
 namespace hawser::record {
@@ -49,9 +50,10 @@ Recordings recordings(const Subject& s, NodeFields& fields) {
   add(std::make_unique<Histories>(s, fields.end_forces()));
   add(std::make_unique<Clearances>(s));
   const Utilisation& utilisation = add(std::make_unique<Utilisation>(c, s.local()));
-  add(std::make_unique<ElementErrors>(s.comm(), c, s.local(), s.term<Feeders>()));
-  const EdgeErrors* edges =
-      c.volumes.empty() ? nullptr : &add(std::make_unique<EdgeErrors>(s.comm(), c, s.local()));
+  add(std::make_unique<ElementErrors>(s.comm(), c, s.local(), s.term<Feeders>(), s.term<LinePairs>()));
+  const EdgeErrors* edges = c.volumes.empty() && !s.term<LinePairs>()
+                                ? nullptr
+                                : &add(std::make_unique<EdgeErrors>(s.comm(), c, s.local()));
   add(std::make_unique<TensionPeaks>(s, edges, energy->figures()));
   add(std::make_unique<LineExtremes>(s, utilisation));
   if (s.term<LineVolumeContact>()) add(std::make_unique<DeepContacts>(s));

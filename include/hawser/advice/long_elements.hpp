@@ -17,6 +17,7 @@ struct LongElements {
   double weight = 0;                    // N/m, in water
   double excess = 0;                    // m, of straight elements over the exact curve
   bool held = false;                    // the line is held at both ends
+  bool over_line = false;               // and not over a volume
 };
 // largest: tension [N] or moment [N m] to which the error is relative.
 // EI [N m²]: of beams that bend within such elements; not proposed for held lines. turn: rad, over a sharp

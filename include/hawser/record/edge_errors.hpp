@@ -1,5 +1,5 @@
-// Tension errors of straight elements across edges of volumes (docs/theory/element-length.md, "Edges"),
-// evaluated after every step and reported immediately.
+// Tension errors of straight elements across edges of volumes and over lines (docs/theory/element-length.md,
+// "Edges"), evaluated after every step and reported at the next output.
 #pragma once
 
 #include <mpi.h>
@@ -28,6 +28,8 @@ class EdgeErrors : public Recording {
   struct Values {
     std::span<const double> force, friction;  // N, contact force of volumes, including friction
     std::span<const double> before, after;    // N, effective tension towards end A and towards end B
+    // N, contact force of lines, including friction; empty: none.
+    std::span<const double> line_force{}, line_friction{};
   };
   // Ranks that share a line exchange one summary per part that a rank owns. Collective.
   void update(const Kinematics& state, const Values& values);
@@ -39,6 +41,7 @@ class EdgeErrors : public Recording {
 
   void declare(Declarations& to) override;
   void step(const Snapshot& s) override;
+  void output(const Snapshot& s) override;
   std::vector<std::string> remarks() override;
   std::vector<Warning> warnings(const std::vector<io::SummaryRow>& summary) override;
 
@@ -55,7 +58,7 @@ class EdgeErrors : public Recording {
     advice::LongElements at;     // largest error so far
     double turn_of_element = 0;  // rad, sum over both ends of an element there
     double sharp_turn = 0;       // rad, the same at a sharp edge; 0: the turn is even
-    double tension = 0;          // N, largest so far under contact with volumes
+    double tension = 0;          // N, largest so far
     bool reported = false;       // during the run; the end of the run reports the largest error
   };
   std::vector<PressedTurn> turns(const Kinematics& state, const Values& values) const;
@@ -67,15 +70,15 @@ class EdgeErrors : public Recording {
   MPI_Comm comm_;
   const model::Case& case_;
   const LocalMesh& mesh_;
-  // Of lines with nodes on this rank that volumes may press on, in the order of nodes.
+  // Of lines with nodes on this rank that may have contact, in the order of nodes.
   std::vector<NodesOfLine> pieces_;
   IndicesByRank shared_;                // indices of pieces of the same lines on other ranks
   std::vector<Neighbours> neighbours_;  // by owned node
   PerLine<OfLine> lines_;               // the same on all ranks that share a line
-  std::vector<int> pressed_;            // lines of this rank in contact after the last step, ascending
   PerLine<Snaps::VolumePassage> passages_;
   std::vector<std::string> new_warnings_;
-  int force_ = -1, friction_ = -1, before_ = -1, after_ = -1;  // indices of fields
+  int force_ = -1, friction_ = -1, line_force_ = -1, line_friction_ = -1;  // indices of fields
+  int before_ = -1, after_ = -1;
 };
 
 }  // namespace hawser::record

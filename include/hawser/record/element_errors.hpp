@@ -16,14 +16,21 @@
 #include "hawser/record/recording.hpp"
 #include "hawser/state/kinematics.hpp"
 #include "hawser/terms/feeders.hpp"
+#include "hawser/terms/line_pairs.hpp"
 
 namespace hawser::record {
 
 class ElementErrors : public Recording {
  public:
-  // feeders: null if no line is fed.
-  ElementErrors(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh, const Feeders* feeders);
+  // feeders: null if no line is fed. pairs: null without contact between lines.
+  ElementErrors(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh, const Feeders* feeders,
+                const LinePairs* pairs = nullptr);
 
+  // Contact between two lines, or of a line with itself, as far as this rank counts it.
+  struct LineContact {
+    int line = 0, other = 0;  // the smaller index first
+    double force = 0;         // N, sum of the magnitudes of the normal forces
+  };
   // State by owned node of the lines; empty: not available.
   struct Values {
     std::span<const double> tension;  // N, effective
@@ -31,9 +38,11 @@ class ElementErrors : public Recording {
     std::vector<bool> pressed;        // true where volumes or lines touch the line; empty: nowhere
     std::vector<bool> supported;      // true where contact acts on the line
     std::vector<bool> on_volume{};    // true where volumes touch the line; empty: nowhere
+    std::vector<bool> on_line{};      // true where lines touch the line; empty: nowhere
+    std::vector<LineContact> contacts{};
   };
   // For lines that the partition cuts, the ranks that share a line send a few numbers per node to the owner
-  // of its first node. Collective.
+  // of its first node. Lines in contact with lines are gathered. Collective.
   void update(const Kinematics& state, const Values& values);
 
   void declare(Declarations& to) override;
@@ -55,6 +64,7 @@ class ElementErrors : public Recording {
     bool pressed = false, supported = false;
     bool two_sided = false;  // Node::two_sided
     bool on_volume = false;
+    bool on_line = false;
   };
   struct InState {  // line in a state
     const LineSpan& line;
@@ -64,12 +74,21 @@ class ElementErrors : public Recording {
     int last;
     double time;  // s
   };
+  struct OverLines {  // line in contact with lines, in a state
+    int line = 0;
+    Worst corner;                        // error: if all other lines were rigid
+    double tension = 0, compliance = 0;  // N; m, T dl/dT
+    bool held = false;                   // at both ends
+  };
   At node(size_t n, const Kinematics& state, const Values& values) const;
-  void update_sag(const InState& s, OfLine& worst) const;
+  // Adds the line to `over_lines` if lines touch it.
+  void update_sag(const InState& s, OfLine& worst, std::vector<OverLines>& over_lines) const;
   // True if the ends of the line and all volumes are held, so that its tension depends on its length.
   bool is_held_over_volumes(const LineSpan& line) const;
-  // stiffness: N/m, tension by a change of the length of the line.
-  void update_corners(const InState& s, double stiffness, Worst& worst) const;
+  // Excess over volumes and lines. stiffness: N/m, tension by a change of the length of the line.
+  Worst corners(const InState& s, double stiffness) const;
+  // Collective.
+  void update_over_lines(const std::vector<OverLines>& local, const std::vector<LineContact>& contacts);
   void update_lifts(const InState& s, Worst& worst) const;
   void update_bends(const InState& s, Worst& worst) const;
   const model::LineType& type(const Element& e) const;
@@ -79,6 +98,7 @@ class ElementErrors : public Recording {
   const LocalMesh& mesh_;
   const Feeders* feeders_;
   const bool volumes_are_held_;
+  const LinePairs* pairs_;
   MPI_Comm comm_;
   // Lines with all nodes on this rank; cut lines whose first node this rank owns, and their number of nodes.
   std::vector<int> uncut_, cut_;
