@@ -53,10 +53,13 @@ BodyFrictionPoints points_of(const std::vector<double>& values) {
 ContactStart BodyContact::start_of(const Pair& pair, const PairFrames& trial, const SkeletonPart& part,
                                    double xi, ContactRates* rates) const {
   const Vec3 y = part.place(xi);
-  const Vec3 slope = pair.frames.turn() * (part.to - part.from);
+  Vec3 slope = Vec3::Zero();
   ContactStart s;
   s.point = pair.frames.across(y);
-  if (part.from != part.to) s.tangent = slope.normalized();
+  if (part.from != part.to) {
+    slope = pair.frames.turn() * (part.to - part.from);
+    s.tangent = slope.normalized();
+  }
   if (rates) rates->start_point = slope;
   const auto previous_points = pair.touching.of(volumes_[pair.a].skeleton.features.index(part));
   if (previous_slip(previous_points, xi, s, rates)) return s;

@@ -18,7 +18,7 @@ constexpr double kStepsAPeriod = 20;
 constexpr double kMaxStepsAPeriod = 200;  // that is requested
 constexpr double kEnergyError = 3e-4;     // per step, fraction of the energy of the relative motion
 constexpr int kLevels = 3;                // of an edge: the gap has one minimum in each eighth
-constexpr int kHalvings = 12;
+constexpr int kMostSteps = 20;            // that are examined
 // Relative tolerance of a frequency: with constant stiffness, the frequency at the end of the longest step
 // differs from that at its start only by rounding.
 constexpr double kRounding = 1e-9;
@@ -121,20 +121,22 @@ std::optional<BodyContact::Nearest> BodyContact::nearest(const Pair& pair, const
 }
 
 // The stiffness increases with the features that come into contact during the step, so the criterion is a
-// twentieth of the period at the end of the step.
+// twentieth of the period at the end of the step. The step that resolves the frequency at the end of another
+// one is shorter than the result if that one is too long, longer if it resolves the contact.
 double BodyContact::resolved_step(const PairFrames& at, double max_step, FrequencyAt frequency_at) {
-  const auto resolves_contact = [&](double h) {
+  double accepted = 1e-4 * max_step;
+  double rejected = max_step;
+  double h = max_step;
+  for (int k = 0; k < kMostSteps && rejected > 1.1 * accepted; ++k) {
     PairFrames moved = at;
     moved.move(h);
     const double w = frequency_at(moved);
-    return h * w <= 2 * M_PI / kStepsAPeriod * (1 + kRounding);
-  };
-  if (resolves_contact(max_step)) return max_step;
-  double accepted = 1e-4 * max_step;
-  double rejected = max_step;
-  for (int k = 0; k < kHalvings && rejected > 1.1 * accepted; ++k) {
-    const double h = std::sqrt(accepted * rejected);
-    (resolves_contact(h) ? accepted : rejected) = h;
+    const double resolving = 2 * M_PI / (kStepsAPeriod * w);
+    const bool resolves = h <= resolving * (1 + kRounding);
+    if (resolves && h == max_step) return max_step;
+    (resolves ? accepted : rejected) = h;
+    if (resolves) rejected = std::min(rejected, resolving);
+    h = !resolves && resolving > accepted ? resolving : std::sqrt(accepted * rejected);
   }
   return accepted;
 }
@@ -218,12 +220,16 @@ bool BodyContact::tunnels(const Pair& pair, const Kinematics& trial) const {
   auto field = distance_to(*volumes_[pair.b].surface);
   const double smoothing = pair.law.smoothing;
   const double round = std::max(smoothing, pair.round);
+  const double turned = now.turned_since(before).norm();
   bool through = false;
   volumes_[pair.a].skeleton.features.walk(
       [&](const Vec3& centre, double radius) {
         const Vec3 from = before.across(centre);
         const Vec3 to = now.across(centre);
-        return !through && near(pair.b, 0.5 * (from + to), radius + 0.5 * (to - from).norm(), smoothing);
+        const double path = (to - from).norm();
+        // passes_through() does not test points that move less than the radius.
+        return !through && path + turned * radius > round &&
+               near(pair.b, 0.5 * (from + to), radius + 0.5 * path, smoothing);
       },
       [&](const SkeletonPart& p) {
         through =

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <set>
+#include <span>
 #include <utility>
 
 #include "hawser/geometry/sharp_edges.hpp"
@@ -14,8 +15,10 @@
 namespace hawser {
 namespace {
 
-constexpr int kLeaf = 32;         // parts
-constexpr int kMostPieces = 400;  // along a side of a triangle
+constexpr int kLeaf = 32;           // parts
+constexpr int kMostPieces = 400;    // along a side of a triangle
+constexpr double kPiece = 0.04;     // fraction of the largest side of the bounding box
+constexpr double kSmall = 1.0 / 3;  // fraction of a piece: triangles without a larger error at one point
 constexpr int kRing = 64;
 constexpr double kWatched = 4000;  // points
 
@@ -36,20 +39,34 @@ void sharp(const MeshView& m, const std::vector<bool>& active, bool edges, std::
     if (corner[v]) parts.push_back(SkeletonPart::point(m.vertices[v]));
 }
 
-// Centres of the n² equal pieces of a triangle.
-void faces(const Triangle& t, double piece, std::vector<SkeletonPart>& points) {
+// Points of a rule on a triangle, all of equal weight, by their coordinates along two sides.
+using TriangleRule = std::span<const std::array<double, 2>>;
+constexpr std::array<double, 2> kCentre[] = {{1.0 / 3, 1.0 / 3}};
+// Exact for polynomials of the second degree: Strang and Fix (1973), An Analysis of the Finite Element
+// Method.
+constexpr std::array<double, 2> kThree[] = {{1.0 / 6, 1.0 / 6}, {2.0 / 3, 1.0 / 6}, {1.0 / 6, 2.0 / 3}};
+
+double longest_side(const Triangle& t) {
+  return std::max({(t[1] - t[0]).norm(), (t[2] - t[1]).norm(), (t[0] - t[2]).norm()});
+}
+
+// Points of the n² equal pieces of a triangle; sides of pieces are at most `piece` [m].
+void faces(const Triangle& t, double piece, TriangleRule rule, std::vector<SkeletonPart>& points) {
   const double area = 0.5 * (t[1] - t[0]).cross(t[2] - t[0]).norm();
-  const double side = std::max({(t[1] - t[0]).norm(), (t[2] - t[1]).norm(), (t[0] - t[2]).norm()});
   if (!(area > 0)) return;
-  const int n = std::clamp(static_cast<int>(std::ceil(side / piece)), 1, kMostPieces);
+  const int n = std::clamp(static_cast<int>(std::ceil(longest_side(t) / piece)), 1, kMostPieces);
+  const Vec3 u = (t[1] - t[0]) / n;
+  const Vec3 v = (t[2] - t[0]) / n;
+  const double weight = area / (n * n * static_cast<double>(rule.size()));
+  const auto add = [&](const Vec3& corner, double side) {
+    for (const auto& [a, b] : rule)
+      points.push_back(SkeletonPart::point(corner + side * (a * u + b * v), 0, weight));
+  };
   for (int i = 0; i < n; ++i)
-    for (int j = 0; i + j < n; ++j)
-      for (int up = 0; up < (i + j + 1 < n ? 2 : 1); ++up) {
-        const double a = (i + (up ? 2.0 : 1.0) / 3) / n;
-        const double b = (j + (up ? 2.0 : 1.0) / 3) / n;
-        points.push_back(
-            SkeletonPart::point(t[0] + a * (t[1] - t[0]) + b * (t[2] - t[0]), 0, area / (n * n)));
-      }
+    for (int j = 0; i + j < n; ++j) {
+      add(t[0] + i * u + j * v, 1);
+      if (i + j + 1 < n) add(t[0] + (i + 1) * u + (j + 1) * v, -1);
+    }
 }
 
 void ring(const TorusShape& s, bool edges, std::vector<SkeletonPart>& parts) {
@@ -95,9 +112,13 @@ BodySkeleton body_skeleton(const model::Volume& v, const MeshView& mesh, const s
   if (v.basis == model::StiffnessBasis::per_area) {
     Box box;
     for (const Vec3& x : mesh.vertices) box.add(x);
-    const double size = piece > 0 ? piece : 0.01 * (box.hi - box.lo).maxCoeff();
-    for (size_t t = 0; t < mesh.triangles.size(); ++t)
-      if (active.empty() || active[t]) faces(corners(mesh, t), size, parts);
+    const double size = piece > 0 ? piece : kPiece * (box.hi - box.lo).maxCoeff();
+    for (size_t t = 0; t < mesh.triangles.size(); ++t) {
+      if (!active.empty() && !active[t]) continue;
+      const Triangle triangle = corners(mesh, t);
+      const bool small = longest_side(triangle) < kSmall * size;
+      faces(triangle, size, small ? TriangleRule(kCentre) : kThree, parts);
+    }
   } else {
     const bool edges = v.basis == model::StiffnessBasis::per_length;
     if (sphere) {
@@ -133,7 +154,7 @@ void watch_faces(const MeshView& mesh, const std::vector<bool>& active, BodySkel
   std::vector<SkeletonPart> points, places;
   each([&](const Triangle& t) {
     points.clear();
-    faces(t, piece, points);
+    faces(t, piece, kCentre, points);
     for (const SkeletonPart& p : points) {
       const std::array<long, 3> cell{std::lround(p.from.x() / piece), std::lround(p.from.y() / piece),
                                      std::lround(p.from.z() / piece)};

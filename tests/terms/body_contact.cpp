@@ -1,8 +1,9 @@
 // Contact between bodies: the tangents equal finite differences for leading parts (balls, corners, edges,
 // faces) on other parts (faces, edges, vertices, round primitives); open, in the ramp and beyond, with one or
-// both bodies floating.
+// both bodies floating. Points on faces integrate pressures with the error stated in the theory.
 #include "hawser/terms/body_contact.hpp"
 
+#include "hawser/math/function_ref.hpp"
 #include "hawser/mesh/partition.hpp"
 #include "hawser/run/volumes.hpp"
 #include "support/taylor.hpp"
@@ -317,6 +318,50 @@ TEST(BodyContact, WhatWasMetIsKept) {
     return;
   }
   FAIL();
+}
+
+constexpr double kLong = 1, kWide = 0.6, kHigh = 0.4;  // m
+
+SkeletonParts faces_of_a_box() {
+  model::Case c;
+  model::Volume v;
+  v.name = "box";
+  v.shape = BoxShape{{0.5 * kLong, 0.5 * kWide, -0.5 * kHigh}, {kLong, kWide, kHigh}};
+  v.basis = model::StiffnessBasis::per_area;
+  v.normal_stiffness = 1;
+  c.volumes.push_back(v);
+  const auto volumes = run::load_volumes(c);
+  return body_skeleton(v, *volumes[0].facets, volumes[0].active).features;
+}
+
+// Integral of a function over the top, 0 < x < kLong and 0 < y < kWide.
+double over_top(const SkeletonParts& parts, FunctionRef<double(const Vec3&)> f) {
+  double sum = 0;
+  parts.walk([](const Vec3&, double) { return true; },
+             [&](const SkeletonPart& p) {
+               if (std::abs(p.from.z()) < 1e-9) sum += p.weight * f(p.from);
+             });
+  return sum;
+}
+
+// Polynomials of the second degree are integrated exactly.
+TEST(BodySkeleton, FacesIntegrateTheSecondDegree) {
+  const SkeletonParts parts = faces_of_a_box();
+  EXPECT_NEAR(over_top(parts, [](const Vec3&) { return 1.0; }), kLong * kWide, 1e-13);
+  EXPECT_NEAR(over_top(parts, [](const Vec3& x) { return x.x() * x.x(); }), kWide / 3, 1e-13);
+  EXPECT_NEAR(over_top(parts, [](const Vec3& x) { return x.x() * x.y(); }), kWide * kWide / 4, 1e-13);
+}
+
+// A pressure that increases from zero at x = kLong - L to the edge x = kLong, without a smooth onset: the
+// error is below 0.025 (h/L)², h the side of a piece (docs/theory/body-contact.md).
+TEST(BodySkeleton, ErrorOfALoadOnAPartOfAFace) {
+  const SkeletonParts parts = faces_of_a_box();
+  const double side = 0.04 * kLong;
+  for (double length = 2.5 * side; length < kLong; length *= 1.003) {
+    const double exact = kWide * length * length / 2;
+    const double sum = over_top(parts, [&](const Vec3& x) { return std::max(x.x() - kLong + length, 0.0); });
+    EXPECT_LT(std::abs(sum / exact - 1), 0.025 * std::pow(side / length, 2)) << length;
+  }
 }
 
 }  // namespace

@@ -61,11 +61,11 @@ struct Outcome {
 Outcome impact_event(MPI_Comm comm, const model::Case& c) {
   const auto volumes = run::load_volumes(c);
   std::vector<BodySkeleton> skeletons = run::skeletons(c, volumes);
-  // Pieces of faces are 10 cm (800 each) and not 2 cm.
+  // Pieces of faces are 20 cm (600 points each) and not 8 cm.
   for (size_t v = 0; v < skeletons.size(); ++v)
     if (c.volumes[v].basis == StiffnessBasis::per_area)
       skeletons[v].features =
-          body_skeleton(c.volumes[v], *volumes[v].facets, volumes[v].active, 0.1).features;
+          body_skeleton(c.volumes[v], *volumes[v].facets, volumes[v].active, 0.2).features;
   run::Simulation s(comm, c, run::surfaces(volumes), skeletons);
   Dynamics& d = s.dynamics();
   d.start(s.state());

@@ -57,10 +57,10 @@ struct BodySkeleton {
 };
 
 // Features by the basis of the stiffness. per_point: corners of a mesh or box, balls (sphere). per_length:
-// edges that are neither smooth nor flat, bars (capsule, ring of a torus, rims of a tube). per_area: faces in
-// pieces no larger than `piece` [m]; 0: a hundredth of the largest side of the bounding box. `mesh`:
-// triangles of the mesh or of an exact shape; `active`: one flag per triangle, empty for all. A plane has no
-// features.
+// edges that are neither smooth nor flat, bars (capsule, ring of a torus, rims of a tube). per_area: three
+// points in each piece of the faces, whose sides are at most `piece` [m]; 0: a twenty-fifth of the largest
+// side of the bounding box. `mesh`: triangles of the mesh or of an exact shape; `active`: one flag per
+// triangle, empty for all. A plane has no features.
 BodySkeleton body_skeleton(const model::Volume& volume, const MeshView& mesh, const std::vector<bool>& active,
                            double piece = 0);
 // Adds the points at which penetration is monitored: about 4000, regardless of the number of triangles.
