@@ -148,6 +148,14 @@ std::string rests_by_contact_friction() {
          "this path, by as much as friction can hold";
 }
 
+std::string rests_out_of_balance(const Imbalance& at) {
+  return fmt::format(
+      "statics ends where no line moves any more, but {}: facets of a mesh meet in kinks, between which a "
+      "line "
+      "finds no exact equilibrium; a 'shape' in place of the mesh, for example a tube, has none",
+      imbalance(at));
+}
+
 std::string second_failure(const std::string& first, const std::string& second) {
   return fmt::format("{}; after that, {}", first, second);
 }

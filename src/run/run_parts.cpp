@@ -116,6 +116,7 @@ StaticsReport solve_one(Simulation& sim, Progress& progress, StartsFrom from,
     progress.print(line);
   const std::string below = lines_below_water(c, sim.system(), sim.state().at_rest());
   if (!below.empty()) progress.print_notes({below});
+  if (s.remaining) progress.print_warnings({advice::rests_out_of_balance(*s.remaining)});
   if (s.escapes > 0) progress.print("note: " + advice::unstable_equilibria_left(s.escapes));
   progress.print_warnings(sim.tilting_warnings());
   progress.print_warnings(platforms_tilted(sim.system().comm(), c, sim.bodies(), sim.state().at_rest()));

@@ -26,6 +26,9 @@ constexpr double kHeavier = 4, kLighter = 0.5;
 // After this number of accepted steps in a row an earlier rejection no longer explains a failure, because the
 // mass is then lower than before that rejection.
 constexpr int kForgetsRejection = 4;
+// Residual, relative to its contributions, that may remain if lines no longer move, with friction. It is 100
+// to 1000 times smaller than friction forces, which depend on the path.
+constexpr double kMayRemain = 1e-3;
 constexpr double kFirstMove = 0.002;  // fraction of the longest line by which the first step may move nodes
 constexpr double kHeaviest = 1e12;    // ratio of the mass to the first one at which motion is negligible
 // Lengths of the longest line: a body that has slid or fallen so far does not come to rest.
@@ -59,9 +62,13 @@ class Relaxation : StaticTrial {
       if (report.norms.small(settings_.tolerance)) return report;
       if (mass_ == 0) mass_ = smallest = first_mass(report.norms);
       const bool all_used = report.steps + report.rejected >= settings_.max_steps;
-      if (all_used || mass_ > kHeaviest * smallest || !std::isfinite(report.norms.relative()) ||
-          test_progress(report))
+      if (all_used || mass_ > kHeaviest * smallest || !std::isfinite(report.norms.relative()))
         throw_no_rest(report, all_used);
+      if (test_progress(report)) {
+        if (!settings_.friction || report.norms.relative() > kMayRemain) throw_no_rest(report, all_used);
+        report.remaining = imbalance(system_, r_.get(), report.norms);
+        return report;
+      }
       const int iterations = attempt(report.norms);
       report.iterations += std::abs(iterations);
       if (iterations <= 0) {

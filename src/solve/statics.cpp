@@ -88,6 +88,7 @@ StaticsReport relax_with_friction(System& system, const StaticsSettings& setting
     report.iterations += relaxed.iterations;
     report.relaxation_steps += relaxed.steps;
     report.norms = relaxed.norms;
+    report.remaining = relaxed.remaining;
     if (!system.adapt_stiffness(state.at_rest())) return report;
     if (round == kMaxRaises) throw SolveError(advice::automatic_stiffness_unsettled());
     start.restore(state);

@@ -58,6 +58,8 @@ std::string no_equilibrium(StaticsEnds how, int limit, const Imbalance& at);
 std::string no_rest(int steps, const Imbalance& at);
 // Statics without friction of contact failed; the model rests by this friction.
 std::string rests_by_contact_friction();
+// Lines that no longer move, with this residual.
+std::string rests_out_of_balance(const Imbalance& at);
 // Messages of a failed search and of a second one from the same start by other means.
 std::string second_failure(const std::string& first, const std::string& second);
 // because: from clause() of steps.hpp.

@@ -8,7 +8,9 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 
+#include "hawser/advice/step_findings.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/model/case.hpp"
 #include "hawser/state/state.hpp"
@@ -21,6 +23,8 @@ struct RelaxationReport {
   int rejected = 0;    // steps tried again with a larger mass
   int iterations = 0;  // Newton iterations
   ResidualNorms norms;
+  // Largest residual of lines that no longer move although it is above the tolerance; with friction only.
+  std::optional<advice::Imbalance> remaining;
 };
 
 // The motion has not come to rest within the steps allowed. Further starts would use as many again, so that
@@ -41,10 +45,10 @@ struct RelaxationSettings {
 };
 
 // Moves `state` (positions and rotations) near an equilibrium at state.time, from which Newton's iteration
-// can complete the search. Terms are evaluated as in statics, and committed only with `friction`. Collective.
-// Throws SolveError naming line, arc length and imbalance if the motion does not come to rest, among them
-// RelaxationStepsUsed unless a body slides or falls without end, and StiffnessRaised (static_trial.hpp) if
-// contact was too soft during the search.
+// can complete the search. Terms are evaluated as in statics, and committed only with `friction`, with which
+// a small residual may remain. Collective. Throws SolveError naming line, arc length and imbalance if the
+// motion does not come to rest, among them RelaxationStepsUsed unless a body slides or falls without end, and
+// StiffnessRaised (static_trial.hpp) if contact was too soft during the search.
 RelaxationReport relax(System& system, const RelaxationSettings& settings, State& state);
 
 }  // namespace hawser

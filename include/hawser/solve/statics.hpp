@@ -10,7 +10,9 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 
+#include "hawser/advice/step_findings.hpp"
 #include "hawser/model/case.hpp"
 #include "hawser/solve/linear_solver.hpp"
 #include "hawser/state/state.hpp"
@@ -29,6 +31,7 @@ struct StaticsReport {
   int escapes = 0;               // number of unstable equilibria that were left
   int negative_eigenvalues = 0;  // of the final tangent; -1: not known
   ResidualNorms norms;
+  std::optional<advice::Imbalance> remaining;  // of lines that rest by friction (RelaxationReport)
 };
 
 // Initial values are the defaults of the keys of `statics`.
