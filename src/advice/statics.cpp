@@ -150,9 +150,8 @@ std::string rests_by_contact_friction() {
 
 std::string rests_out_of_balance(const Imbalance& at) {
   return fmt::format(
-      "statics ends where no line moves any more, but {}: facets of a mesh meet in kinks, between which a "
-      "line "
-      "finds no exact equilibrium; a 'shape' in place of the mesh, for example a tube, has none",
+      "statics ends where no line moves any more, but {}: facets of a mesh meet in kinks, on which a line "
+      "finds no exact equilibrium; a 'shape' in place of the mesh, for example a tube, has no kinks",
       imbalance(at));
 }
 

@@ -241,12 +241,41 @@ std::vector<std::shared_ptr<const MeshView>> volume_facets(const std::vector<Loa
   return out;
 }
 
+namespace {
+
+// Sides of the bounding box in increasing order, m.
+Vec3 sides(const Surface& surface) {
+  Vec3 out = surface.bounds().extent();
+  std::sort(out.data(), out.data() + 3);
+  return out;
+}
+
+// Sides of the pieces of faces, m, by volume: a twenty-fifth of its size; less if it can touch a smaller
+// volume, a fifth of the second side of that, but at least a hundredth of its own size, so that the number of
+// points is limited. 0: no faces.
+std::vector<double> face_pieces(const std::vector<model::BodyPair>& pairs, const model::Case& c,
+                                const std::vector<LoadedVolume>& volumes) {
+  std::vector<double> out(volumes.size(), 0);
+  for (const model::BodyPair& p : pairs) {
+    if (c.volumes[p.a].is_plane()) continue;
+    const double size = sides(*volumes[p.a].surface).z();
+    const double other = c.volumes[p.b].is_plane() ? size : sides(*volumes[p.b].surface).y();
+    const double piece = std::max(std::min(size / 25, other / 5), size / 100);
+    out[p.a] = out[p.a] > 0 ? std::min(out[p.a], piece) : piece;
+  }
+  return out;
+}
+
+}  // namespace
+
 std::vector<BodySkeleton> skeletons(const model::Case& c, const std::vector<LoadedVolume>& volumes) {
   std::vector<BodySkeleton> out(volumes.size());
-  for (const model::BodyPair& p : model::body_pairs(c))
+  const std::vector<model::BodyPair> pairs = model::body_pairs(c);
+  const std::vector<double> pieces = face_pieces(pairs, c, volumes);
+  for (const model::BodyPair& p : pairs)
     if (out[p.a].features.empty())
-      out[p.a] = body_skeleton(c.volumes[p.a], *volumes[p.a].facets, volumes[p.a].active);
-  for (const model::BodyPair& p : model::body_pairs(c))
+      out[p.a] = body_skeleton(c.volumes[p.a], *volumes[p.a].facets, volumes[p.a].active, pieces[p.a]);
+  for (const model::BodyPair& p : pairs)
     for (const size_t v : {p.a, p.b}) {
       if (!p.needs_overlap_check || !out[v].faces.empty() || c.volumes[v].is_plane()) continue;
       watch_faces(*volumes[v].facets, volumes[v].active, out[v]);

@@ -26,9 +26,9 @@ constexpr double kHeavier = 4, kLighter = 0.5;
 // After this number of accepted steps in a row an earlier rejection no longer explains a failure, because the
 // mass is then lower than before that rejection.
 constexpr int kForgetsRejection = 4;
-// Residual, relative to its contributions, that may remain if lines no longer move, with friction. It is 100
-// to 1000 times smaller than friction forces, which depend on the path.
-constexpr double kMayRemain = 1e-3;
+// Residual, as a fraction of the largest tension of its line, that may remain with friction if lines no
+// longer move: far below the friction forces, whose coefficients are hardly known to a tenth.
+constexpr double kMayRemain = 5e-3;
 constexpr double kFirstMove = 0.002;  // fraction of the longest line by which the first step may move nodes
 constexpr double kHeaviest = 1e12;    // ratio of the mass to the first one at which motion is negligible
 // Lengths of the longest line: a body that has slid or fallen so far does not come to rest.
@@ -65,8 +65,8 @@ class Relaxation : StaticTrial {
       if (all_used || mass_ > kHeaviest * smallest || !std::isfinite(report.norms.relative()))
         throw_no_rest(report, all_used);
       if (test_progress(report)) {
-        if (!settings_.friction || report.norms.relative() > kMayRemain) throw_no_rest(report, all_used);
-        report.remaining = imbalance(system_, r_.get(), report.norms);
+        if (settings_.friction) report.remaining = small_remainder(report.norms);
+        if (!report.remaining) throw_no_rest(report, all_used);
         return report;
       }
       const int iterations = attempt(report.norms);
@@ -117,6 +117,34 @@ class Relaxation : StaticTrial {
     const Progress since = progress(report.norms);
     if (!since.halved) viscous_ = !viscous_;
     return since.stagnates;
+  }
+  // The residual of the node that is furthest from equilibrium relative to the tension of its line (a moment:
+  // as a pair of forces on the longest element); nullopt if it is too large to remain. Collective.
+  std::optional<advice::Imbalance> small_remainder(const ResidualNorms& norms) const {
+    const LocalMesh& m = system_.mesh();
+    const std::vector<LineTension> lines = system_.line_tensions(state_.at_rest());
+    struct Remainder {
+      double ratio = 0, force = 0, tension = 0;
+      int node = 0;
+    } worst;
+    const PetscScalar* r = nullptr;
+    check(VecGetArrayRead(r_.get(), &r));
+    for (int n = 0; n < m.owned; ++n) {
+      const PetscScalar* at = r + 3 * m.block[n];
+      double force = Eigen::Map<const Vec3>(at).norm();
+      if (m.rotates(n)) force = std::max(force, Eigen::Map<const Vec3>(at + 3).norm() / length_);
+      const Node& node = m.node(n);
+      const double tension = node.body < 0 ? lines[static_cast<size_t>(node.line)].tension : 0;
+      const double ratio = force / std::max(kMayRemain * tension, settings_.tolerance * norms.force_scale);
+      if (ratio > worst.ratio) worst = {ratio, force, tension, m.global[n]};
+    }
+    check(VecRestoreArrayRead(r_.get(), &r));
+    Remainder largest;
+    for (const Remainder& of_rank : gather_all(system_.comm(), std::vector{worst}))
+      if (of_rank.ratio > largest.ratio) largest = of_rank;
+    if (largest.ratio > 1) return std::nullopt;
+    return advice::Imbalance{
+        .place = m.mesh->place(largest.node), .value = largest.force, .scale = largest.tension};
   }
   // Throws SolveError if a body slides or falls without end.
   void check_bodies() const {

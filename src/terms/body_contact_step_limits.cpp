@@ -121,12 +121,14 @@ std::optional<BodyContact::Nearest> BodyContact::nearest(const Pair& pair, const
 }
 
 // The stiffness increases with the features that come into contact during the step, so the criterion is a
-// twentieth of the period at the end of the step. The step that resolves the frequency at the end of another
-// one is shorter than the result if that one is too long, longer if it resolves the contact.
+// twentieth of the period at the end of the step. The frequency w at the end of a step h
+// gives the step 2 pi/20 w: one that is too long gives a step that is short enough, one that is short enough
+// an upper limit of the result, if w increases with h. If w does not, the geometric mean halves the range.
 double BodyContact::resolved_step(const PairFrames& at, double max_step, FrequencyAt frequency_at) {
   double accepted = 1e-4 * max_step;
   double rejected = max_step;
   double h = max_step;
+  bool by_mean = true;  // not by the frequency, which after a rejection may come no nearer
   for (int k = 0; k < kMostSteps && rejected > 1.1 * accepted; ++k) {
     PairFrames moved = at;
     moved.move(h);
@@ -136,7 +138,8 @@ double BodyContact::resolved_step(const PairFrames& at, double max_step, Frequen
     if (resolves && h == max_step) return max_step;
     (resolves ? accepted : rejected) = h;
     if (resolves) rejected = std::min(rejected, resolving);
-    h = !resolves && resolving > accepted ? resolving : std::sqrt(accepted * rejected);
+    by_mean = resolves || !by_mean || resolving <= accepted;
+    h = by_mean ? std::sqrt(accepted * rejected) : resolving;
   }
   return accepted;
 }

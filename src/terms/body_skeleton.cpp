@@ -17,7 +17,7 @@ namespace {
 
 constexpr int kLeaf = 32;           // parts
 constexpr int kMostPieces = 400;    // along a side of a triangle
-constexpr double kPiece = 0.04;     // fraction of the largest side of the bounding box
+constexpr double kPiece = 0.04;     // of the largest side of the bounding box
 constexpr double kSmall = 1.0 / 3;  // fraction of a piece: triangles without a larger error at one point
 constexpr int kRing = 64;
 constexpr double kWatched = 4000;  // points

@@ -36,6 +36,17 @@ statics: false
 dynamics: {duration: 0.1}
 output: {every: 0.1}
 """
+# A barge over a post that is small beside it. Their volumes have the penetration 0.05 m over the post.
+BARGE = """hawser: 1
+bodies:
+  barge: {position: [0, 0, 0], floating: {mass: 1e6, inertia: [1e8, 1e8, 1e8]}}
+volumes:
+  post: {shape: {box: {centre: [X, Y, -11.45], size: [1, 1, 20]}}}
+  barge: {shape: {box: {centre: [0, 0, 0], size: [40, 10, 3]}}, body: barge, normal_stiffness: {per_area: 1e6}}
+statics: false
+dynamics: {duration: 1e-4}
+output: {every: 1e-4, histories: [{body: barge, name: barge}]}
+"""
 
 
 class BodiesAtRest(unittest.TestCase):
@@ -52,6 +63,16 @@ class BodiesAtRest(unittest.TestCase):
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         with h5py.File(self.folder / "results.h5", "r") as file:
             return done.stdout + done.stderr, file["series/time"][:], file["outputs/time"][:], file["bodies/position"][:, 0]
+
+    def test_post_that_is_small_beside_a_barge(self):
+        """Points of the barge's faces are close enough for the post: 0.4 m, a force within a fifth of k A p."""
+        for x, y in ((0.3, 0.2), (-4.68, 0.83), (4.53, -3.48)):
+            self.run_case(BARGE.replace("X", str(x)).replace("Y", str(y)))
+            with h5py.File(self.folder / "results.h5", "r") as file:
+                series = file["series/barge"]
+                speed = series[-1, list(series.attrs["columns"]).index(b"velocity_z")]
+            force = 1e6 * speed / 1e-4  # N, mass times acceleration
+            self.assertLess(abs(force / 5e4 - 1), 0.2, (x, y))
 
     def test_crate_that_friction_holds(self):
         """Half of the friction holds it. The contact has a period of 45 ms, of which steps are a twentieth while it vibrates."""

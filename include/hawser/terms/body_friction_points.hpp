@@ -1,5 +1,5 @@
-// History of friction between bodies: the contact points of an accepted step, by the corner, edge or piece of
-// a face (feature) on which they lie. A volume may have thousands of pieces of faces, and each evaluation
+// History of friction between bodies: the contact points of an accepted step, by the corner, edge or point of
+// a face (feature) on which they lie. A volume may have thousands of points of faces, and each evaluation
 // looks up all of them.
 #pragma once
 

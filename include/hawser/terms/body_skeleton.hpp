@@ -11,11 +11,11 @@
 namespace hawser {
 
 // An edge or a round bar between two points [m, frame of the shape]. If the points coincide: a corner, a
-// ball, or the centre of a piece of a face.
+// ball, or a point of a face.
 struct SkeletonPart {
   Vec3 from = Vec3::Zero(), to = Vec3::Zero();
   double radius = 0;  // m, of a bar or a ball; 0: sharp
-  double weight = 1;  // 1, or the area of a piece of a face, m²
+  double weight = 1;  // 1, or of a point of a face its share of the area, m²
 
   Vec3 place(double xi) const { return from + xi * (to - from); }
   static SkeletonPart point(const Vec3& at, double radius = 0, double weight = 1) {
