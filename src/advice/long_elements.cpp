@@ -8,7 +8,7 @@
 namespace hawser::advice {
 namespace {
 
-std::string touched(const LongElements& at) { return at.over_line ? "another line" : "a volume"; }
+std::string touched(const LongElements& at) { return at.over_line ? "a line" : "a volume"; }
 
 // Error as a percentage of the largest value. The estimates are asymptotic; from 50 % on no number is given.
 std::string off_by(double fraction) {
@@ -46,7 +46,7 @@ std::string turns_on_edge(const std::string& line, const LongElements& at, doubl
       at.held ? " (bending stiffness would also change the tension, because both ends are held)" : "");
 }
 
-std::string longer_over_volume(const std::string& line, const LongElements& at, double largest) {
+std::string longer_over_contact(const std::string& line, const LongElements& at, double largest) {
   return fmt::format(
       "the straight elements of line {} over {} are {:.2g} m longer than the curve over it, most at arc "
       "length {:.4g} m (elements of {:.3g} m, turn {:.0f} degrees, t = {:.4g} s); because both ends of the "

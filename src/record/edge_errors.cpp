@@ -183,7 +183,7 @@ void EdgeErrors::update_worst(int line, const PressedPart& of_line, double time)
   w.at.recommended = evenly || of_edge >= worst_turn.length
                          ? worst_turn.length * std::sqrt(kLeft * of_line.tension / error)
                          : of_edge;
-  w.sharp_turn = evenly ? 0 : w.turn_of_element;
+  w.sharp_turn = evenly || over_line ? 0 : w.turn_of_element;
 }
 
 std::string EdgeErrors::warning(int line, double largest) const {

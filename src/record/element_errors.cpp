@@ -35,6 +35,8 @@ constexpr double kLongAtLiftoff = 1;  // x from which it is estimated
 // turns by `turn`: p turn²/2 - R turn³/6.
 double excess(double p, double turn, double R) { return turn * turn * (0.5 * p - std::min(R * turn, p) / 6); }
 
+constexpr double kEqual = 1e-6;  // relative difference of forces that count as equal
+
 constexpr int kNodesTag = 76;
 
 // A volume of a floating body gives way to a longer line.
@@ -51,9 +53,14 @@ ElementErrors::ElementErrors(MPI_Comm comm, const model::Case& c, const LocalMes
       mesh_(mesh),
       feeders_(feeders),
       volumes_are_held_(holds_all_volumes(c)),
-      pairs_(pairs),
       comm_(comm),
       lines_(mesh) {
+  bool shares = false;
+  for (const int l : lines_.lines()) {
+    lines_[l].held = c.holds_both_ends(c.lines[l]);
+    shares |= lines_[l].held && c.contact.takes_part(c.lines[l]);
+  }
+  if (pairs && on_any_rank(comm, shares)) pairs_ = pairs;
   LineOwners lines = line_owners(mesh);
   uncut_ = std::move(lines.uncut);
   const int rank = rank_of(comm);
@@ -150,7 +157,7 @@ void ElementErrors::update(const Kinematics& state, const Values& values) {
     const InState s{line, nodes, elements, at_a, line.elements - at_b, state.time};
     update_sag(s, lines_[l], over_lines);
     if (!state.ends_step()) update_lifts(s, lines_[l].lift);
-    if (!values.moment.empty()) update_bends(s, lines_[l].bend);
+    if (!values.moment.empty()) update_bends(s, lines_[l]);
   };
   std::vector<At> nodes;
   for (const int l : uncut_) {
@@ -222,37 +229,33 @@ void ElementErrors::update_sag(const InState& s, OfLine& worst, std::vector<Over
     i = std::max(end, i + 1);
   }
   if (!(compliance > 0) || tension == HUGE_VAL) return;
-  const double stiffness = tension / compliance;
-  const Worst corner = corners(s, stiffness);
-  const int l = static_cast<int>(&s.line - mesh_.mesh->lines.data());
-  const bool held = std::ranges::any_of(nodes, &At::on_volume) ? is_held_over_volumes(s.line)
-                                                               : case_.holds_both_ends(case_.lines[l]);
-  if (std::ranges::any_of(nodes, &At::on_line))
-    over_lines.push_back({l, corner, tension, compliance, held});
-  else if (held && corner.error > worst.corner.error)
-    worst.corner = corner;
   candidate.error = extension / compliance * tension;
   if (candidate.error > worst.sag.error) worst.sag = candidate;
-}
-
-bool ElementErrors::is_held_over_volumes(const LineSpan& line) const {
-  return volumes_are_held_ && case_.holds_both_ends(case_.lines[&line - mesh_.mesh->lines.data()]);
+  if (!worst.held) return;
+  auto [over_volumes, of_lines] = corners(s);
+  over_volumes.error = over_volumes.excess / compliance * tension;
+  over_volumes.own_error = over_volumes.error;
+  if (volumes_are_held_ && over_volumes.error > worst.corner.error) worst.corner = over_volumes;
+  const bool yields = !volumes_are_held_ && std::ranges::any_of(nodes, &At::on_volume);
+  const int l = static_cast<int>(&s.line - mesh_.mesh->lines.data());
+  if (pairs_ && !yields && std::ranges::any_of(nodes, &At::on_line))
+    over_lines.push_back({l, of_lines, tension, compliance});
 }
 
 // The exact curve goes straight to an edge of radius R and bends along it. An element outside the edge turns
 // by a and b at its nodes and touches at the fraction b/(a + b) of its length, by its balance of moments.
 // Between elements that both touch, the curve is an arc tangent to both, and each has half of the turn.
-ElementErrors::Worst ElementErrors::corners(const InState& s, double stiffness) const {
+ElementErrors::Corners ElementErrors::corners(const InState& s) const {
   const auto& [line, nodes, elements, first, last, time] = s;
   const bool along_elements = case_.contact.method == model::ContactMethod::line;
-  const auto touches = [&](int i) {
-    const bool volume = along_elements && nodes[i].on_volume && nodes[i + 1].on_volume;
-    return volume || (nodes[i].on_line && nodes[i + 1].on_line);
+  const auto on_volume = [&](int i) {
+    return along_elements && nodes[i].on_volume && nodes[i + 1].on_volume;
   };
+  const auto touches = [&](int i) { return on_volume(i) || (nodes[i].on_line && nodes[i + 1].on_line); };
   const auto chord = [&](int i) { return Vec3((nodes[i + 1].x - nodes[i].x).normalized()); };
-  double sum = 0;
-  double largest = 0;
-  Worst candidate;
+  Corners out;
+  double largest_over_volumes = 0;
+  double largest_over_lines = 0;
   for (int i = first + 1; i + 1 < last; ++i) {
     const Element& e = elements[i];
     if (e.beam || !touches(i) || nodes[i].two_sided || nodes[i + 1].two_sided) continue;
@@ -268,26 +271,29 @@ ElementErrors::Worst ElementErrors::corners(const InState& s, double stiffness) 
     const double to_a = e.length * b / (a + b);
     const double more = excess(to_a, a, shared_a ? HUGE_VAL : radius) +
                         excess(e.length - to_a, b, shared_b ? HUGE_VAL : radius);
-    sum += more;
-    if (more <= largest) continue;
-    largest = more;
-    const bool smooth = shared_a && shared_b;
-    candidate = {.arc = arc(line, i) + 0.5 * e.length,
-                 .time = time,
-                 .turn = a + b,
-                 .length = e.length,
-                 .recommended = smooth ? 0 : advice::kOfContactRadius * radius,
-                 .over_line = nodes[i].on_line && nodes[i + 1].on_line};
+    const bool of_volume = on_volume(i);
+    Worst& worst = of_volume ? out.over_volumes : out.over_lines;
+    double& largest = of_volume ? largest_over_volumes : largest_over_lines;
+    const double sum = worst.excess + more;
+    if (more > largest) {
+      largest = more;
+      const bool smooth = shared_a && shared_b;
+      worst = {.arc = arc(line, i) + 0.5 * e.length,
+               .time = time,
+               .turn = a + b,
+               .length = e.length,
+               .recommended = smooth ? 0 : advice::kOfContactRadius * radius,
+               .over_line = !of_volume};
+    }
+    worst.excess = sum;
   }
-  candidate.excess = sum;
-  candidate.error = sum * stiffness;
-  return candidate;
+  return out;
 }
 
 // Two lines that press on each other share the length that both have in excess: with T the tension, d the
 // excess and S = T dl/dT the compliance of each, both tensions change by the fraction sum(T d)/sum(T S),
 // because the work of a displacement of their contact vanishes. Of several lines the one that presses most
-// counts. If that is not held, it yields to the excess.
+// counts. If that is not held or slack, it yields to the excess.
 void ElementErrors::update_over_lines(const std::vector<OverLines>& local,
                                       const std::vector<LineContact>& contacts) {
   std::map<std::pair<int, int>, double> forces;
@@ -296,20 +302,24 @@ void ElementErrors::update_over_lines(const std::vector<OverLines>& local,
   for (const auto& [pair, force] : forces) pairs.push_back({pair.first, pair.second, force});
   forces.clear();
   for (const LineContact& c : gather_all(comm_, pairs)) forces[{c.line, c.other}] += c.force;
-  std::map<int, std::pair<double, int>> pressing;  // by line: force and the other line
-  for (const auto& [pair, force] : forces)
-    for (const auto& [line, other] : {pair, std::pair(pair.second, pair.first)})
-      pressing[line] = std::max(pressing[line], {force, other});
+  std::map<int, LineContact> pressing;      // by line
+  for (const auto& [pair, force] : forces)  // other lines of one line in ascending order
+    for (const auto& [line, other] : {pair, std::pair(pair.second, pair.first)}) {
+      LineContact& most = pressing.try_emplace(line, LineContact{line, other, force}).first->second;
+      if (force > (1 + kEqual) * most.force) most = {line, other, force};
+    }
   std::map<int, OverLines> lines;
   for (const OverLines& l : gather_all(comm_, local)) lines[l.line] = l;
   for (OverLines l : local) {
     const auto by = pressing.find(l.line);
     if (by == pressing.end()) continue;
-    const OverLines& o = lines[by->second.second];
-    if (!l.held || !o.held) continue;
+    const auto at = lines.find(by->second.other);
+    if (at == lines.end() || !(at->second.tension > 0)) continue;
+    const OverLines o = at->first == l.line ? OverLines() : at->second;  // a line that touches itself
     const double work = l.tension * l.compliance + o.tension * o.compliance;
     const double own = l.tension * l.corner.excess / work;
     if (!(own > kRecommendedError)) continue;  // its elements are short enough
+    l.corner.own_error = l.tension * own;
     l.corner.error = l.tension * (own + o.tension * o.corner.excess / work);
     Worst& worst = lines_[l.line].corner;
     if (l.corner.error > worst.error) worst = l.corner;
@@ -353,8 +363,10 @@ void ElementErrors::update_lifts(const InState& s, Worst& worst) const {
 // At a support, clamp or attachment the moment of a beam under tension has a peak that decays like
 // exp(-s/decay), decay = sqrt(EI/T), to both sides. In a smooth bend there is no peak, but where a volume
 // begins to bend the line the moment changes its slope within an element.
-void ElementErrors::update_bends(const InState& s, Worst& worst) const {
+void ElementErrors::update_bends(const InState& s, OfLine& of_line) const {
   const auto& [line, nodes, elements, first, last, time] = s;
+  const bool held = of_line.held && volumes_are_held_;
+  Worst& worst = of_line.bend;
   for (int n = first; n <= last; ++n) {
     const At& values = nodes[n];
     if (values.moment <= worst.error || !(values.tension > 0)) continue;
@@ -372,7 +384,7 @@ void ElementErrors::update_bends(const InState& s, Worst& worst) const {
       const bool falls = e.beam && nodes[n + side].moment < values.moment * std::exp(-0.5 * std::min(x, 1.0));
       const double error = falls ? values.moment * (at_end ? wrong_at_end(x) : wrong_inside(x)) : 0;
       Worst of_side{.error = error, .arc = arc(line, n), .time = time, .length = e.length, .decay = decay};
-      of_side.held = values.on_volume && x > kLongAtLiftoff && is_held_over_volumes(line);
+      of_side.held = values.on_volume && x > kLongAtLiftoff && held;
       of_side.recommended = decay * (at_end ? kRecommendedAtEnd : kRecommendedInside);
       if (error < smallest.error) smallest = of_side;
       if (!falls && on_volume) continues = true;
@@ -389,18 +401,18 @@ void ElementErrors::update_bends(const InState& s, Worst& worst) const {
 std::vector<std::string> ElementErrors::warnings(int line, double largest_tension,
                                                  double largest_moment) const {
   const std::string name = mesh_.mesh->line_names[line];
-  auto [sag, corner, bend, lift] = lines_[line];
+  auto [held, sag, corner, bend, lift] = lines_[line];
   std::vector<std::string> out;
   if (sag.error > kWarned * largest_tension) {
     sag.recommended = sag.length * std::sqrt(kRecommendedError * largest_tension / sag.error);
     out.push_back(advice::sags_between_nodes(name, sag, largest_tension));
   }
-  if (corner.error > kWarned * largest_tension) {
+  const double fraction = kRecommendedError * largest_tension / corner.own_error;
+  if (corner.error > kWarned * largest_tension && fraction < 1) {
     // Over a sharp edge the excess is proportional to the length, on a smooth bend to its square.
-    const double fraction = kRecommendedError * largest_tension / corner.error;
     corner.recommended = corner.recommended > 0 ? std::max(corner.length * fraction, corner.recommended)
                                                 : corner.length * std::sqrt(fraction);
-    out.push_back(advice::longer_over_volume(name, corner, largest_tension));
+    out.push_back(advice::longer_over_contact(name, corner, largest_tension));
   }
   // The error is at most half an element's weight; a larger one has another cause.
   lift.recommended = lift.weight > 0 ? 2 * kRecommendedError * largest_tension / lift.weight : HUGE_VAL;

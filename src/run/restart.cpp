@@ -27,7 +27,8 @@
 namespace hawser::run {
 namespace {
 
-const char* const kVectors[] = {"position",
+const char* const kPosition = "position";
+const char* const kVectors[] = {kPosition,
                                 "velocity",
                                 "acceleration",
                                 "angular_velocity",
@@ -143,20 +144,30 @@ bool releases(const model::Case& c, const std::string& line, LineEnd end) {
   });
 }
 
+void restore_vectors(const io::Checkpoint& c, const LocalMesh& m, const char* name, std::vector<Vec3>& to) {
+  const auto& f = c.nodes.at(name);
+  const size_t owned = to.empty() ? 0 : m.owned;
+  for (size_t n = 0; n < owned; ++n) to[n] = Eigen::Map<const Vec3>(f.values.data() + 3 * n);
+}
+
+// Positions and rotations of the owned nodes of a checkpoint; other nodes have none.
+State restored_shape(const io::Checkpoint& c, const LocalMesh& m) {
+  State s(m.nodes());
+  s.time = c.time;
+  restore_vectors(c, m, kPosition, s.x);
+  const auto& q = c.nodes.at("rotation").values;
+  const size_t owned = m.owned;
+  for (size_t n = 0; n < owned; ++n) s.q[n] = Quat(q[4 * n], q[4 * n + 1], q[4 * n + 2], q[4 * n + 3]);
+  return s;
+}
+
 // Positions, rotations and rates of a checkpoint, ghosts included. Collective.
 AlphaState restored_state(const io::Checkpoint& c, const LocalMesh& m, const System& system) {
   AlphaState s;
-  s.s.resize(m.nodes());
-  s.s.time = c.time;
+  s.s = restored_shape(c, m);
   alpha_start(m, s);
   const size_t owned = m.owned;
-  const auto take = [&](const char* name, std::vector<Vec3>& to) {
-    const auto& f = c.nodes.at(name);
-    for (size_t n = 0; n < owned && !to.empty(); ++n) to[n] = Eigen::Map<const Vec3>(f.values.data() + 3 * n);
-  };
-  for (size_t i = 0; i < std::size(kVectors); ++i) take(kVectors[i], vectors(s, i));
-  const auto& q = c.nodes.at("rotation").values;
-  for (size_t n = 0; n < owned; ++n) s.s.q[n] = Quat(q[4 * n], q[4 * n + 1], q[4 * n + 2], q[4 * n + 3]);
+  for (size_t i = 0; i < std::size(kVectors); ++i) restore_vectors(c, m, kVectors[i], vectors(s, i));
   for (const auto& [name, values] : {std::pair{kDirectors, &s.s.directors}, {kAlgorithmicDirectors, &s.ad}}) {
     if (!has_directors(m)) break;
     const auto& f = c.nodes.at(name).values;
@@ -180,7 +191,8 @@ std::string moved_end(const io::Checkpoint& c, Simulation& simulation) {
   const System& system = simulation.system();
   const LocalMesh& m = simulation.local();
   const Mesh& mesh = *m.mesh;
-  const State s = restored_state(c, m, system).s;
+  State s = restored_shape(c, m);
+  system.update_ghosts(s);
   for (const TiedNode& tied : system.tied_nodes().nodes()) {
     if (!m.owns(tied.node) || tied.body >= 0 || tied.position_mask != 7) continue;
     if (tied.frame >= 0 && m.node(tied.frame).body < 0) continue;

@@ -76,7 +76,6 @@ double StepObserver::checkpoint_interval() const {
 
 StepObserver::Requests StepObserver::record_step(const StepInfo& info, const Due& due) {
   recorder_.step(info, dynamics_.committed_kinematics());
-  progress_.print_warnings(recorder_.remarks());
   progress_.step(info.time, info.h, info.iterations);
   int requests[2] = {0, 0};
   if (due.output || due.checkpoint || ++steps_since_requests_ == kStepsBetweenRequests) {
@@ -89,6 +88,7 @@ StepObserver::Requests StepObserver::record_step(const StepInfo& info, const Due
     recorder_.output(dynamics_.committed_kinematics());
     output_at_ = record::next_multiple(info.time, times_.every);
   }
+  progress_.print_warnings(recorder_.remarks());
   return {requests[0] != 0, requests[1] != 0};
 }
 

@@ -46,9 +46,7 @@ struct Ropes {
     return 0;
   }
   double turn() const { return percent("line upper turns by", " N, "); }
-  double length() const {
-    return percent("the straight elements of line upper over another line", "by about ");
-  }
+  double length() const { return percent("the straight elements of line upper over a line", "by about "); }
 };
 
 Ropes run(int elements, const std::string& depth) {

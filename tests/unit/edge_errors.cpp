@@ -87,7 +87,7 @@ TEST(EdgeErrors, OverAnotherLine) {
   const auto text = [](double before, double friction) {
     return warning(before, 0, friction, "bending: false", "free", {.by_line = true});
   };
-  EXPECT_NE(text(20, 0).find("line sling turns by 20 degrees over another line from one straight element of "
+  EXPECT_NE(text(20, 0).find("line sling turns by 20 degrees over a line from one straight element of "
                              "2 m to the next (arc length 2 m, t = 0 s), which changes its tension there by "
                              "64 N, 6 % of the largest: give its type an 'EI' of 1.1e+03 N m² or more"),
             std::string::npos)
@@ -124,6 +124,9 @@ TEST(EdgeErrors, NoBendingStiffnessForALineThatIsHeld) {
 TEST(EdgeErrors, FrictionOfTheRecommendedBeam) {
   const std::string text = warning(60, 0);
   EXPECT_NE(text.find("which itself reduces friction over a sharp edge by 5 %"), std::string::npos) << text;
+  const std::string of_line = warning(60, 0, 0, "bending: false", "free", {.by_line = true});
+  EXPECT_NE(of_line.find("give its type an 'EI'"), std::string::npos) << of_line;
+  EXPECT_EQ(of_line.find("reduces friction"), std::string::npos) << of_line;
 }
 
 // 1 - cos is 0.50 % at 5.73 degrees: there is a warning above 0.5 % only.

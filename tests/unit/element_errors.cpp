@@ -227,8 +227,8 @@ TEST(ElementErrors, PeaksOfBendingMoment) {
 // 0.6 0.2²/2 + 0.4 0.3²/2 - 0.1 (0.2³ + 0.3³)/6 = 0.030 - 0.000583 m. Straight spans of 20 m and the element
 // with T/EA = 0.2: 0.0294/4.2 of the tension.
 std::vector<std::string> warnings_over_edge(const std::string& end_b, const std::string& more, double largest,
-                                            const std::vector<bool>& on_volume = {false, true, true, false,
-                                                                                  false}) {
+                                            std::vector<bool> on_volume = {false, true, true, false},
+                                            std::vector<bool> on_line = {}) {
   const model::Case c = io::read_case_text(fmt::format(R"(
 hawser: 1
 line_types: {{wire: {{outer_diameter: 0.2, mass_per_length: 5, EA: 5000, bending: false}}}}
@@ -244,17 +244,18 @@ lines:
 )",
                                                        end_b, more),
                                            "/nowhere/case.yaml");
-  const run::Simulation sim(MPI_COMM_SELF, c);
+  run::Simulation sim(MPI_COMM_SELF, c);
   State s;
   s.resize(sim.local().nodes());
   s.x[0] = Vec3(-10 * std::cos(0.2), 0, -10 * std::sin(0.2));
   s.x[1] = Vec3(0, 0, 0);
   s.x[2] = Vec3(1, 0, 0);
   s.x[3] = Vec3(1 + 10 * std::cos(0.3), 0, -10 * std::sin(0.3));
-  ElementErrors errors(MPI_COMM_SELF, c, sim.local(), nullptr);
-  errors.update(
-      s.at_rest(),
-      {std::vector<double>(s.x.size(), 1000), {}, {}, {false, true, true, false, false}, on_volume});
+  ElementErrors errors(MPI_COMM_SELF, c, sim.local(), nullptr, sim.system().find<LinePairs>());
+  std::vector<bool> supported{false, true, true, false};
+  for (std::vector<bool>* at : {&supported, &on_volume, &on_line}) at->resize(s.x.size(), false);
+  const std::vector<double> tension(s.x.size(), 1000);
+  errors.update(s.at_rest(), {tension, {}, {}, supported, on_volume, on_line, {{0, 1, 500}}});
   return errors.warnings(0, largest, HUGE_VAL);
 }
 
@@ -271,15 +272,35 @@ TEST(ElementErrors, LongerThanTheCurveOverAnEdge) {
   EXPECT_TRUE(warnings_over_edge(held, "", 400).empty());
   EXPECT_EQ(warnings_over_edge("{body: ship, at: [10.6, 0, -3]}", "", 200).size(), 1U);
   EXPECT_TRUE(warnings_over_edge("{body: buoy, at: [10.6, 0, -3]}", "", 200).empty());
-  EXPECT_TRUE(warnings_over_edge(held, "", 200, std::vector<bool>(5, false)).empty());
+  EXPECT_TRUE(warnings_over_edge(held, "", 200, {}).empty());
   EXPECT_TRUE(warnings_over_edge(held, "contact: {method: nodes}", 200).empty());
+}
+
+// The volume does not yield with a line that touches the same cable beside it or on it.
+TEST(ElementErrors, OverAnEdgeBesideALineThatYields) {
+  const std::string held = "{anchor: [10.6, 0, -3]}";
+  const std::string other = R"(  other:
+    sections: [{type: wire, length: 10, elements: 1}]
+    end_a: {anchor: [0, 5, 0]}
+    end_b: {body: buoy, at: [9, 5, 0]})";
+  const std::vector<bool> on_volume{false, true, true, false};
+  const std::vector<std::string> alone = warnings_over_edge(held, "", 200);
+  for (const std::vector<bool>& on_line : {on_volume, {false, true, false, false}})
+    EXPECT_EQ(warnings_over_edge(held, other, 200, on_volume, on_line), alone);
 }
 
 // The same cable, ten times as stiff, over another one of the same elements. If that is straight it has no
 // excess, but takes up half of that of the cable: 3.5 % of 1 kN, 1.7 % of 2 kN. If it turns as much both have
-// the whole error of 7.0 %. If its end floats there is none, nor without contact.
+// the whole error of 7.0 %, half of it by its own elements. If the other one is slack or its end floats there
+// is none, nor without contact. Of forces equal within rounding that of the line on itself counts, the first,
+// with the whole error.
 TEST(ElementErrors, LongerThanTheCurveOverAnotherLine) {
-  const auto warnings = [](bool turns, const std::string& end_b, double force, double largest) {
+  struct Other {
+    double tension = 1000;   // N, of its first leg
+    double on_itself = 0.1;  // force of the line on itself, as a fraction of that on the other one
+  };
+  const auto warnings = [](bool turns, const std::string& end_b, double force, double largest,
+                           const Other& other = {}) {
     const model::Case c = io::read_case_text(fmt::format(R"(
 hawser: 1
 line_types: {{wire: {{outer_diameter: 0.2, mass_per_length: 5, EA: 5.0e4, bending: false}}}}
@@ -312,10 +333,11 @@ lines:
     std::vector<bool> touched(s.x.size(), false);
     for (const size_t n : {1, 2, 5, 6}) touched[n] = true;
     ElementErrors errors(MPI_COMM_SELF, c, sim.local(), nullptr, sim.system().find<LinePairs>());
-    const std::vector<double> tension(s.x.size(), 1000);
+    std::vector<double> tension(s.x.size(), 1000);
+    for (const size_t n : {4, 5}) tension[n] = other.tension;
     ElementErrors::Values v{tension, {}, touched, touched};
     v.on_line = touched;
-    if (force > 0) v.contacts = {{0, 0, 0.1 * force}, {0, 1, force}};
+    if (force > 0) v.contacts = {{0, 0, other.on_itself * force}, {0, 1, force}};
     errors.update(s.at_rest(), v);
     return errors.warnings(0, largest, HUGE_VAL);
   };
@@ -323,12 +345,23 @@ lines:
   ASSERT_EQ(warnings(false, held, 500, 1000).size(), 1U);
   EXPECT_EQ(
       warnings(false, held, 500, 1000).front(),
-      "the straight elements of line wire over another line are 0.029 m longer than the curve over it, most "
+      "the straight elements of line wire over a line are 0.029 m longer than the curve over it, most "
       "at arc length 10.5 m (elements of 1 m, turn 29 degrees, t = 0 s); because both ends of the line are "
       "held, its tension is wrong by about 3.5 % of the largest: use elements of 0.29 m there");
   EXPECT_TRUE(warnings(false, held, 500, 2000).empty());
   ASSERT_EQ(warnings(true, held, 500, 2000).size(), 1U);
-  EXPECT_NE(warnings(true, held, 500, 2000).front().find("wrong by about 3.5 %"), std::string::npos);
+  EXPECT_TRUE(warnings(true, held, 500, 2000)
+                  .front()
+                  .ends_with("wrong by about 3.5 % of the largest: use elements of 0.57 m there"))
+      << warnings(true, held, 500, 2000).front();
+  EXPECT_TRUE(warnings(true, held, 500, 1000, {.tension = 0}).empty());
+  for (const double on_itself : {2.0, 1 - 1e-9, 1 + 1e-9}) {
+    const std::vector<std::string> of_itself = warnings(false, held, 500, 2000, {.on_itself = on_itself});
+    ASSERT_EQ(of_itself.size(), 1U);
+    EXPECT_TRUE(
+        of_itself.front().ends_with("wrong by about 3.5 % of the largest: use elements of 0.29 m there"))
+        << of_itself.front();
+  }
   EXPECT_TRUE(warnings(true, held, 0, 2000).empty());
   EXPECT_TRUE(warnings(true, "{body: buoy, at: [10.6, 5, -3]}", 500, 1000).empty());
 }

@@ -16,6 +16,7 @@ struct LongElements {
   double recommended = 0;               // m, sufficient element length
   double weight = 0;                    // N/m, in water
   double excess = 0;                    // m, of straight elements over the exact curve
+  double own_error = 0;                 // N, part of the error by this excess, without that of other lines
   bool held = false;                    // the line is held at both ends
   bool over_line = false;               // and not over a volume
 };
@@ -24,7 +25,7 @@ struct LongElements {
 // edge; 0: none.
 std::string turns_on_edge(const std::string& line, const LongElements& at, double largest, double EI,
                           double turn);
-std::string longer_over_volume(const std::string& line, const LongElements& at, double largest);
+std::string longer_over_contact(const std::string& line, const LongElements& at, double largest);
 std::string sags_between_nodes(const std::string& line, const LongElements& at, double largest);
 std::string leaves_bed_within(const std::string& line, const LongElements& at, double largest);
 std::string moment_between_nodes(const std::string& line, const LongElements& at, double largest);

@@ -22,7 +22,7 @@ namespace hawser::record {
 
 class ElementErrors : public Recording {
  public:
-  // feeders: null if no line is fed. pairs: null without contact between lines.
+  // feeders: null if no line is fed. pairs: null without contact between lines. Collective.
   ElementErrors(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh, const Feeders* feeders,
                 const LinePairs* pairs = nullptr);
 
@@ -56,6 +56,7 @@ class ElementErrors : public Recording {
  private:
   using Worst = advice::LongElements;  // largest so far, per line
   struct OfLine {
+    bool held = false;  // at both ends, so that the tension depends on the length
     Worst sag, corner, bend, lift;
   };
   struct At {  // node of a state
@@ -74,23 +75,23 @@ class ElementErrors : public Recording {
     int last;
     double time;  // s
   };
-  struct OverLines {  // line in contact with lines, in a state
+  struct Corners {  // excess over volumes and over lines, without errors
+    Worst over_volumes, over_lines;
+  };
+  struct OverLines {  // held line in contact with lines, in a state
     int line = 0;
-    Worst corner;                        // error: if all other lines were rigid
+    Worst corner;                        // over lines
     double tension = 0, compliance = 0;  // N; m, T dl/dT
-    bool held = false;                   // at both ends
   };
   At node(size_t n, const Kinematics& state, const Values& values) const;
-  // Adds the line to `over_lines` if lines touch it.
+  // Adds the line to `over_lines` if it is held and lines touch it.
   void update_sag(const InState& s, OfLine& worst, std::vector<OverLines>& over_lines) const;
-  // True if the ends of the line and all volumes are held, so that its tension depends on its length.
-  bool is_held_over_volumes(const LineSpan& line) const;
-  // Excess over volumes and lines. stiffness: N/m, tension by a change of the length of the line.
-  Worst corners(const InState& s, double stiffness) const;
+  // An element that touches both counts as over volumes.
+  Corners corners(const InState& s) const;
   // Collective.
   void update_over_lines(const std::vector<OverLines>& local, const std::vector<LineContact>& contacts);
   void update_lifts(const InState& s, Worst& worst) const;
-  void update_bends(const InState& s, Worst& worst) const;
+  void update_bends(const InState& s, OfLine& of_line) const;
   const model::LineType& type(const Element& e) const;
   double arc(const LineSpan& line, int node) const;  // m, of the line's node
 
@@ -98,7 +99,7 @@ class ElementErrors : public Recording {
   const LocalMesh& mesh_;
   const Feeders* feeders_;
   const bool volumes_are_held_;
-  const LinePairs* pairs_;
+  const LinePairs* pairs_ = nullptr;  // null unless a line that may touch lines is held at both ends
   MPI_Comm comm_;
   // Lines with all nodes on this rank; cut lines whose first node this rank owns, and their number of nodes.
   std::vector<int> uncut_, cut_;
