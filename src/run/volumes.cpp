@@ -250,9 +250,8 @@ Vec3 sides(const Surface& surface) {
   return out;
 }
 
-// Sides of the pieces of faces, m, by volume: a twenty-fifth of its size; less if it can touch a smaller
-// volume, a fifth of the second side of that, but at least a hundredth of its own size, so that the number of
-// points is limited. 0: no faces.
+// Sides of the pieces of faces, m, by volume, by the second side of the smallest volume that it can touch. 0:
+// no faces.
 std::vector<double> face_pieces(const std::vector<model::BodyPair>& pairs, const model::Case& c,
                                 const std::vector<LoadedVolume>& volumes) {
   std::vector<double> out(volumes.size(), 0);
@@ -260,7 +259,7 @@ std::vector<double> face_pieces(const std::vector<model::BodyPair>& pairs, const
     if (c.volumes[p.a].is_plane()) continue;
     const double size = sides(*volumes[p.a].surface).z();
     const double other = c.volumes[p.b].is_plane() ? size : sides(*volumes[p.b].surface).y();
-    const double piece = std::max(std::min(size / 25, other / 5), size / 100);
+    const double piece = face_piece(size, other);
     out[p.a] = out[p.a] > 0 ? std::min(out[p.a], piece) : piece;
   }
   return out;

@@ -121,9 +121,9 @@ std::optional<BodyContact::Nearest> BodyContact::nearest(const Pair& pair, const
 }
 
 // The stiffness increases with the features that come into contact during the step, so the criterion is a
-// twentieth of the period at the end of the step. The frequency w at the end of a step h
-// gives the step 2 pi/20 w: one that is too long gives a step that is short enough, one that is short enough
-// an upper limit of the result, if w increases with h. If w does not, the geometric mean halves the range.
+// twentieth of the period at the end of the step. Let w be the frequency at the end of a step. If the step is
+// too long, 2 pi/20 w is short enough; if the step is short enough, 2 pi/20 w is an upper limit of the
+// result, provided that w increases with the step. Otherwise the geometric mean of the limits is tried.
 double BodyContact::resolved_step(const PairFrames& at, double max_step, FrequencyAt frequency_at) {
   double accepted = 1e-4 * max_step;
   double rejected = max_step;

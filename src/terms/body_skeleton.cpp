@@ -17,7 +17,6 @@ namespace {
 
 constexpr int kLeaf = 32;           // parts
 constexpr int kMostPieces = 400;    // along a side of a triangle
-constexpr double kPiece = 0.04;     // of the largest side of the bounding box
 constexpr double kSmall = 1.0 / 3;  // fraction of a piece: triangles without a larger error at one point
 constexpr int kRing = 64;
 constexpr double kWatched = 4000;  // points
@@ -101,6 +100,8 @@ SkeletonParts::SkeletonParts(std::vector<SkeletonPart> parts) : parts_(std::move
   tree_ = BoxTree(boxes, {}, kLeaf);
 }
 
+double face_piece(double size, double other) { return std::clamp(other / 5, size / 100, size / 25); }
+
 BodySkeleton body_skeleton(const model::Volume& v, const MeshView& mesh, const std::vector<bool>& active,
                            double piece) {
   std::vector<SkeletonPart> parts;
@@ -112,7 +113,7 @@ BodySkeleton body_skeleton(const model::Volume& v, const MeshView& mesh, const s
   if (v.basis == model::StiffnessBasis::per_area) {
     Box box;
     for (const Vec3& x : mesh.vertices) box.add(x);
-    const double size = piece > 0 ? piece : kPiece * (box.hi - box.lo).maxCoeff();
+    const double size = piece > 0 ? piece : face_piece((box.hi - box.lo).maxCoeff(), HUGE_VAL);
     for (size_t t = 0; t < mesh.triangles.size(); ++t) {
       if (!active.empty() && !active[t]) continue;
       const Triangle triangle = corners(mesh, t);

@@ -56,11 +56,15 @@ struct BodySkeleton {
   SkeletonParts faces;     // points on all faces at which the penetration is monitored
 };
 
+// Sides of the pieces of faces [m] of a volume of this size [m] whose contact with a volume of the size
+// `other` [m] they resolve: a twenty-fifth of its size or a fifth of `other`, but at least a hundredth of its
+// size, so that the number of points is limited.
+double face_piece(double size, double other);
 // Features by the basis of the stiffness. per_point: corners of a mesh or box, balls (sphere). per_length:
 // edges that are neither smooth nor flat, bars (capsule, ring of a torus, rims of a tube). per_area: three
-// points in each piece of the faces, whose sides are at most `piece` [m]; 0: a twenty-fifth of the largest
-// side of the bounding box. `mesh`: triangles of the mesh or of an exact shape; `active`: one flag per
-// triangle, empty for all. A plane has no features.
+// points in each piece of the faces, whose sides are at most `piece` [m]; 0: as without other volumes.
+// `mesh`: triangles of the mesh or of an exact shape; `active`: one flag per triangle, empty for all. A plane
+// has no features.
 BodySkeleton body_skeleton(const model::Volume& volume, const MeshView& mesh, const std::vector<bool>& active,
                            double piece = 0);
 // Adds the points at which penetration is monitored: about 4000, regardless of the number of triangles.
