@@ -87,6 +87,18 @@ void warn_of_hull(const Body& b, std::vector<InputWarning>& out) {
                 "the 'hydrodynamics' of a diffraction program");
 }
 
+// Members alone have no buoyancy.
+void warn_of_missing_buoyancy(const Body& b, std::vector<InputWarning>& out) {
+  const BodyMass& m = *b.mass;
+  if (m.members.empty() || !m.weight || m.hull || m.in_water || m.hydrodynamics ||
+      m.spring_stiffness().z() > 0)
+    return;
+  add_warning(
+      out, "bodies." + b.name + ".floating.members", Effect::all,
+      "have drag and added mass, but no buoyancy, and the pressure of waves does not act on them: add "
+      "'hull' with the volumes of the body");
+}
+
 // Members much larger than the body, and added mass that is counted twice, by the files and by members.
 void warn_of_members(const Case& c, const Body& b, std::vector<InputWarning>& out) {
   constexpr double kLarge = 5;   // of the volume of water of the body's mass
@@ -293,15 +305,17 @@ void warn_of_platforms(const Case& c, std::vector<InputWarning>& out) {
                 "acts on no body (and never on lines): add wind coefficients to a body, 'floating.wind'");
   for (const std::vector<int>& group : radiating_groups(c)) warn_of_arrangement(c, group, out);
   for (const Body& b : c.bodies) {
-    if (b.mass) warn_of_hull(b, out);
-    if (b.mass) warn_of_members(c, b, out);
-    if (b.mass) warn_of_fairleads(c, b, out);
-    if (b.mass) warn_of_flow(b, out);
-    if (b.mass) warn_of_loads(c, b, out);
-    if (b.mass && b.mass->positioning) warn_of_positioning(b, out);
-    if (b.mass) warn_of_stiffness(b, "stiffness_matrix", b.mass->stiffness_matrix, out);
-    if (b.mass) warn_of_damping(c, b, "damping_matrix", b.mass->damping_matrix, out);
-    if (!b.mass || !b.mass->hydrodynamics) continue;
+    if (!b.mass) continue;
+    warn_of_hull(b, out);
+    warn_of_missing_buoyancy(b, out);
+    warn_of_members(c, b, out);
+    warn_of_fairleads(c, b, out);
+    warn_of_flow(b, out);
+    warn_of_loads(c, b, out);
+    if (b.mass->positioning) warn_of_positioning(b, out);
+    warn_of_stiffness(b, "stiffness_matrix", b.mass->stiffness_matrix, out);
+    warn_of_damping(c, b, "damping_matrix", b.mass->damping_matrix, out);
+    if (!b.mass->hydrodynamics) continue;
     warn_of_inertia(b, out);
     warn_of_hydrodynamics(c, b, out);
     warn_of_floating(c, b, out);

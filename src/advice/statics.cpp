@@ -52,12 +52,23 @@ std::string lie_on_bed(const std::vector<std::string>& lines, const std::vector<
                      model::names_text(lines), range(&OnBed::lies, 1), friction);
 }
 
-std::string held_without_weight(const std::string& body) {
+std::string held_without_weight(const std::string& body, bool with_friction) {
   return fmt::format(
-      "bodies.{}: statics holds it in its initial position and without its weight, since bodies have no "
-      "friction in statics; as dynamics begins it falls onto its contact and may bounce and slide; set "
-      "'statics: {{contact_friction: true}}' to let it come to rest in contact",
-      body);
+      "bodies.{}: statics holds it in its initial position and without its weight, since {}; as dynamics "
+      "begins it falls onto its contact and may bounce and slide; {}set 'statics: {{contact_friction: "
+      "true}}' "
+      "to let it come to rest in contact",
+      body,
+      with_friction ? "bodies have no friction in statics"
+                    : "nothing holds it along the volumes that it can touch",
+      with_friction ? "" : "give the volumes 'friction' and ");
+}
+
+std::string left_without_friction(const std::string& body, const std::string& volume, double friction) {
+  return fmt::format(
+      "bodies.{}: statics moves it off volume {}, on which it starts, without their friction of {:.3g}; set "
+      "'statics: {{contact_friction: true}}' if friction holds it there",
+      body, volume, friction);
 }
 
 std::string moved_without_friction(const std::string& body, double distance, const std::string& volume,

@@ -57,13 +57,17 @@ bool touch(const Case& c, const Volume& a, const Volume& b) {
 
 }  // namespace
 
-bool has_friction_on_bodies(const Case& c, const std::string& body) {
+ContactOfBody contact_of_body(const Case& c, const std::string& body) {
+  ContactOfBody out = ContactOfBody::none;
   for (const Volume& carried : c.volumes) {
     if (carried.body != body) continue;
-    for (const Volume& other : c.volumes)
-      if (touch(c, carried, other) && friction_between(carried, other).axial > 0) return true;
+    for (const Volume& other : c.volumes) {
+      if (!touch(c, carried, other)) continue;
+      if (friction_between(carried, other).axial > 0) return ContactOfBody::with_friction;
+      out = ContactOfBody::frictionless;
+    }
   }
-  return false;
+  return out;
 }
 
 std::vector<BodyPair> body_pairs(const Case& c) {

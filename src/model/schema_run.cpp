@@ -11,11 +11,14 @@ Key statics() {
            {boolean({"enabled", &Statics::enabled}, "find the equilibrium before dynamics", or_else("true")),
             number({"tolerance", &Statics::tolerance}, none, "residual relative to the internal forces",
                    above(0), at_most(1e-2), or_else("1e-8")),
-            boolean({"contact_friction", &Statics::contact_friction},
-                    "friction with volumes, between lines and between bodies acts in statics as well, "
-                    "against the motion from the start positions of the case; `false`: it acts in dynamics "
-                    "only, from the equilibrium without friction",
-                    or_else_note("`true` if statics finds no equilibrium without friction")),
+            boolean(
+                {"contact_friction", &Statics::contact_friction},
+                "friction with volumes, between lines and between bodies acts in statics as well, "
+                "against the motion from the start positions of the case; `false`: it acts in dynamics "
+                "only, from the equilibrium without friction",
+                or_else_note(
+                    "`true` if statics finds no equilibrium without friction, or if bodies start at rest on "
+                    "others and nothing else supports them")),
             integer({"max_iterations", &Statics::max_iterations},
                     "largest number of Newton iterations in a stage", in_range(1, 1e6), or_else("1000")),
             word({"dynamic_relaxation", &Statics::relaxation},

@@ -217,11 +217,8 @@ void EdgeErrors::declare(Declarations& to) {
 
 void EdgeErrors::step(const Snapshot& s) {
   if (before_ < 0 || after_ < 0) return;
-  const auto field = [&](int f) {
-    return f < 0 ? std::span<const double>() : std::span<const double>(s.values[f]);
-  };
-  update(s.at, {field(force_), field(friction_), field(before_), field(after_), field(line_force_),
-                field(line_friction_)});
+  update(s.at, {s.field(force_), s.field(friction_), s.field(before_), s.field(after_), s.field(line_force_),
+                s.field(line_friction_)});
 }
 
 // One reduction for all lines.

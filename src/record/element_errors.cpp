@@ -107,10 +107,7 @@ void ElementErrors::declare(Declarations& to) {
 }
 
 void ElementErrors::output(const Snapshot& s) {
-  const auto value_of = [&](int f) {
-    return f < 0 ? std::span<const double>() : std::span<const double>(s.values[f]);
-  };
-  Values v{value_of(tension_), value_of(moment_), {}, {}};
+  Values v{s.field(tension_), s.field(moment_), {}, {}};
   v.pressed.resize(mesh_.owned, false);
   v.supported.resize(mesh_.owned, false);
   v.on_volume.resize(mesh_.owned, false);

@@ -26,14 +26,20 @@ struct RestsOn {
   double friction = 0;        // coefficient there
 };
 
-// By body with mass. Pairs without friction are excluded.
-std::map<int, RestsOn> contacts_with_friction(const model::Case& c, const std::vector<model::BodyPair>& pairs,
-                                              const ContactResultants& contacts) {
-  std::map<std::pair<int, int>, double> friction;  // by volumes in ascending order
+// Coefficients of the pairs of volumes with friction, by the lower and the higher index.
+using PairFriction = std::map<std::pair<int, int>, double>;
+
+PairFriction pairs_with_friction(const std::vector<model::BodyPair>& pairs) {
+  PairFriction out;
   for (const model::BodyPair& p : pairs)
     if (p.friction.axial > 0)
-      friction[{static_cast<int>(std::min(p.a, p.b)), static_cast<int>(std::max(p.a, p.b))}] =
-          p.friction.axial;
+      out[{static_cast<int>(std::min(p.a, p.b)), static_cast<int>(std::max(p.a, p.b))}] = p.friction.axial;
+  return out;
+}
+
+// By body with mass. Pairs without friction are excluded.
+std::map<int, RestsOn> contacts_with_friction(const model::Case& c, const PairFriction& friction,
+                                              const ContactResultants& contacts) {
   std::map<int, RestsOn> out;
   for (const ContactResultant& r : contacts) {
     const auto pair = friction.find({r.volume, r.other_volume});
@@ -73,22 +79,106 @@ double significant(const model::BodyMass& m) {
   return std::min(kMost, kOfGyration * std::sqrt(0.5 * m.inertia.sum() / m.mass));
 }
 
+// Position [m] of the centre of mass and rotation of a body in the frame of another one (-1: in space).
+struct RelativePose {
+  Vec3 place = Vec3::Zero();
+  Quat turned = Quat::Identity();
+};
+
+RelativePose relative_pose(const model::Case& c, const RestsOnBody& on, const std::vector<RigidPose>& poses) {
+  const RigidPose& body = poses[on.body];
+  const Vec3 centre = body.to_space(c.bodies[on.body].mass->centre);
+  if (on.other < 0) return {centre, body.rotation};
+  const RigidPose& other = poses[on.other];
+  return {other.to_body(centre), other.rotation.conjugate() * body.rotation};
+}
+
+}  // namespace
+
+std::vector<RigidPose> poses_of(const System& system, const Bodies& bodies, const Kinematics& state) {
+  std::vector<RigidPose> out;
+  for (const io::BodyPose& p : record::body_poses(bodies, system, state)) {
+    RigidPose pose;
+    pose.position = p.position;
+    pose.rotation = p.rotation;
+    out.push_back(pose);
+  }
+  return out;
+}
+
+std::vector<RestsOnBody> bodies_starting_in_contact(const model::Case& c,
+                                                    const std::vector<StaticRest>& support,
+                                                    const System& system, const Kinematics& start) {
+  std::vector<RestsOnBody> out;
+  const LocalMesh& mesh = system.mesh();
+  for (const TouchingVolumes& t : touching_volumes(system, start)) {
+    const int a = c.body_index(c.volumes[t.volume].body);
+    const int b = c.body_index(c.volumes[t.other_volume].body);
+    for (const RestsOnBody& on : {RestsOnBody{a, b}, RestsOnBody{b, a}}) {
+      if (!c.floats(on.body) || !mesh.owns_node(mesh.mesh->body_node(on.body))) continue;
+      const model::BodyMass& m = *c.bodies[on.body].mass;
+      if ((m.weight || !m.loads.empty()) && !support[static_cast<size_t>(on.body)].supported)
+        out.push_back(on);
+    }
+  }
+  return gather_all(system.comm(), out);
+}
+
+bool have_stayed(const model::Case& c, const std::vector<RestsOnBody>& resting,
+                 const std::vector<RigidPose>& start, const std::vector<RigidPose>& equilibrium) {
+  constexpr double kTurn = 0.01;  // rad; more is the settlement of a body that does not stand upright
+  return std::all_of(resting.begin(), resting.end(), [&](const RestsOnBody& on) {
+    const RelativePose from = relative_pose(c, on, start);
+    const RelativePose to = relative_pose(c, on, equilibrium);
+    return (to.place - from.place).norm() <= significant(*c.bodies[on.body].mass) &&
+           from.turned.angularDistance(to.turned) <= kTurn;
+  });
+}
+
+std::vector<TouchingVolumes> touching_volumes(const System& system, const Kinematics& state) {
+  const auto* contact = system.find<BodyContact>();
+  if (!contact) return {};
+  return contact->touching(state);
+}
+
+namespace {
+
+// Bodies whose weight nothing but lines and contact carries and that have left a volume with friction.
+std::vector<std::string> bodies_off_volumes(const model::Case& c, const PairFriction& friction,
+                                            const std::map<int, RestsOn>& rests,
+                                            const std::vector<TouchingVolumes>& at_start) {
+  std::vector<std::string> out;
+  for (const TouchingVolumes& t : at_start) {
+    const auto pair = friction.find(std::minmax(t.volume, t.other_volume));
+    if (pair == friction.end()) continue;
+    for (const auto& [own, other] :
+         {std::pair(t.volume, t.other_volume), std::pair(t.other_volume, t.volume)}) {
+      const int body = c.body_index(c.volumes[own].body);
+      if (!c.floats(body) || rests.contains(body)) continue;
+      const model::BodyMass& m = *c.bodies[body].mass;
+      if (m.weight && !m.hull && !m.hydrodynamics && !(m.spring_stiffness().z() > 0))
+        out.push_back(
+            advice::left_without_friction(c.bodies[body].name, c.volumes[other].name, pair->second));
+    }
+  }
+  return out;
+}
+
 }  // namespace
 
 std::vector<std::string> bodies_moved_by_statics(const model::Case& c, const System& system,
-                                                 const Bodies& bodies, const Kinematics& equilibrium) {
+                                                 const Bodies& bodies, const Kinematics& equilibrium,
+                                                 const std::vector<TouchingVolumes>& at_start) {
   constexpr double kRests = 0.1;  // part of the weight that contact carries; less is that of a fender
-  std::vector<std::string> out;
-  const std::vector<model::BodyPair> pairs = model::body_pairs(c);
-  if (std::none_of(pairs.begin(), pairs.end(), [](const model::BodyPair& p) { return p.friction.axial > 0; }))
-    return out;
+  const PairFriction friction = pairs_with_friction(model::body_pairs(c));
+  if (friction.empty()) return {};
   ContactResultants local;
   if (const auto* contact = system.find<BodyContact>()) contact->resultants(local);
   const ContactResultants all = gather_all(system.comm(), local);
-  std::vector<RigidPose> poses;
-  for (const io::BodyPose& p : record::body_poses(bodies, system, equilibrium))
-    poses.push_back({p.position, p.rotation});
-  for (const auto& [body, on] : contacts_with_friction(c, pairs, all)) {
+  const std::vector<RigidPose> poses = poses_of(system, bodies, equilibrium);
+  const std::map<int, RestsOn> rests = contacts_with_friction(c, friction, all);
+  std::vector<std::string> out = bodies_off_volumes(c, friction, rests, at_start);
+  for (const auto& [body, on] : rests) {
     const model::BodyMass& m = *c.bodies[body].mass;
     if (!m.weight || !(on.force.z() > kRests * m.mass * c.environment.gravity)) continue;
     const model::Volume& volume = c.volumes[on.volume];

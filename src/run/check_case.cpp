@@ -85,6 +85,7 @@ double print_partition(const model::Case& c, const Mesh& mesh, const Bodies& bod
 // Runs the beginning of the case for `budget` CPU s and prints the results.
 TrialRun print_trial(Simulation& sim, const model::Case& c, double budget) {
   record::WaterErrors water(c, sim.system());
+  const std::vector<TouchingVolumes> at_start = touching_volumes(sim.system(), sim.state().at_rest());
   bool rests = !c.statics.enabled;
   TrialRun tried = trial_run(sim, c, budget, [&](const Kinematics& state) {
     if (!std::exchange(rests, true)) {
@@ -99,7 +100,8 @@ TrialRun print_trial(Simulation& sim, const model::Case& c, double budget) {
       for (const std::string& w : platforms_tilted(comm, c, sim.bodies(), state))
         fmt::print("warning: {}\n", w);
       if (!sim.contact_friction_in_statics())
-        for (const std::string& note : bodies_moved_by_statics(c, sim.system(), sim.bodies(), state))
+        for (const std::string& note :
+             bodies_moved_by_statics(c, sim.system(), sim.bodies(), state, at_start))
           fmt::print("note: {}\n", note);
     }
     water.update_sampled(state);

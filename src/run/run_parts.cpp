@@ -129,6 +129,7 @@ StaticsReport solve_one(Simulation& sim, Progress& progress, StartsFrom from,
 
 StaticsReport solve_static_stages(Simulation& sim, Events& events, Progress& progress,
                                   const std::function<void(size_t)>& on_equilibrium) {
+  const std::vector<TouchingVolumes> at_start = touching_volumes(sim.system(), sim.state().at_rest());
   StaticsReport last;
   std::optional<advice::HookedLines> hooked;
   try {
@@ -145,7 +146,7 @@ StaticsReport solve_static_stages(Simulation& sim, Events& events, Progress& pro
       platforms_off_start(sim.system().comm(), sim.model(), sim.bodies(), sim.state().at_rest())));
   if (!sim.contact_friction_in_statics())
     progress.print_notes(
-        bodies_moved_by_statics(sim.model(), sim.system(), sim.bodies(), sim.state().at_rest()));
+        bodies_moved_by_statics(sim.model(), sim.system(), sim.bodies(), sim.state().at_rest(), at_start));
   return last;
 }
 

@@ -191,6 +191,11 @@ void Simulation::add_bodies(std::vector<std::shared_ptr<const Surface>> surfaces
     return std::any_of(case_.bodies.begin(), case_.bodies.end(),
                        [&has](const model::Body& b) { return b.mass && has(*b.mass); });
   };
+  support_.resize(case_.bodies.size());
+  for (int n = 0; n < local().owned; ++n) {
+    const int body = mesh_->node(local().global[n]).body;
+    if (body >= 0) support_[static_cast<size_t>(body)] = static_rest(case_, body);
+  }
   if (mesh_->line_nodes() < mesh_->nodes()) {
     add<RigidBodies>(case_, local(), bodies_);
     if (any([](const model::BodyMass& m) { return m.in_water || !m.members.empty(); }))

@@ -4,6 +4,8 @@
 #include "hawser/advice/statics.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/base/mpi.hpp"
+#include "hawser/model/body_pairs.hpp"
+#include "hawser/run/bodies_in_contact.hpp"
 #include "hawser/run/line_pairs.hpp"
 #include "hawser/run/simulation.hpp"
 #include "hawser/terms/bed_contact.hpp"
@@ -75,13 +77,38 @@ StaticsReport Simulation::solve_statics(std::function<void(const StaticsReport&)
   return report;
 }
 
+// Bodies that start in contact and that nothing else supports come to rest there. If they do not stay where
+// they are, as on a slope without friction, statics holds them without their weight.
+std::optional<StaticsReport> Simulation::rest_in_contact(StaticsSettings settings) {
+  const std::vector<RestsOnBody> on = bodies_starting_in_contact(case_, support_, *system_, state_.at_rest());
+  if (on.empty()) return std::nullopt;
+  const StaticsStart start(*system_, state_);
+  const std::vector<RigidPose> from = poses_of(*system_, *bodies_, state_.at_rest());
+  resting_.assign(case_.bodies.size(), false);
+  for (const RestsOnBody& r : on) resting_[static_cast<size_t>(r.body)] = true;
+  enable_friction_in_statics(true);
+  settings.friction = true;
+  try {
+    StaticsReport report = find_restrained_equilibrium(settings);
+    if (have_stayed(case_, on, from, poses_of(*system_, *bodies_, state_.at_rest()))) return report;
+  } catch (const SolveError&) {
+    // Without friction it may be possible.
+  }
+  resting_.clear();
+  friction_in_statics_.reset();
+  system_->revert_stiffness();
+  start.restore(state_);
+  return std::nullopt;
+}
+
 // Without friction a line may have no equilibrium, or none that can be found on the facets of a mesh.
 // Friction that the case has then brings it to rest on the path from the start.
 StaticsReport Simulation::find_equilibrium_or_rest_by_friction(StaticsSettings settings) {
   const bool may_rest = !friction_in_statics_ && !case_.statics.contact_friction.has_value() &&
-                        case_.statics.relaxation != model::Relaxation::never &&
-                        case_.contact.has_friction(case_.volumes);
-  if (!may_rest) return find_restrained_equilibrium(settings);
+                        case_.statics.relaxation != model::Relaxation::never;
+  if (may_rest)
+    if (const std::optional<StaticsReport> report = rest_in_contact(settings)) return *report;
+  if (!may_rest || !case_.contact.has_friction(case_.volumes)) return find_restrained_equilibrium(settings);
   const StaticsStart start(*system_, state_);
   std::string failure;
   try {
@@ -102,16 +129,28 @@ StaticsReport Simulation::find_equilibrium_or_rest_by_friction(StaticsSettings s
   }
 }
 
+bool Simulation::has_equilibrium(size_t body, const StaticRest& support) const {
+  if (resting_.empty()) return support.is_computed(contact_friction_in_statics());
+  return support.is_computed(false) || resting_[body];
+}
+
+// By body of the case, for those of this rank.
+std::vector<bool> Simulation::bodies_with_equilibrium() const {
+  std::vector<bool> out;
+  for (size_t b = 0; b < support_.size(); ++b) out.push_back(has_equilibrium(b, support_[b]));
+  return out;
+}
+
 StaticsReport Simulation::find_restrained_equilibrium(const StaticsSettings& settings) {
   enable_friction_at_rest();
   const std::vector<RestrainedInStatics*> restrained = system_->with<RestrainedInStatics>();
   const std::vector<Vec3> v = state_.v;  // floating bodies may have initial velocities
   const std::vector<Vec3> w = state_.w;
-  for (RestrainedInStatics* t : restrained) t->hold(true, contact_friction_in_statics());
+  for (RestrainedInStatics* t : restrained) t->begin_statics(bodies_with_equilibrium());
   StaticsReport report = find_equilibrium(*system_, settings, state_);
   if (lays_lines()) solve_with_contact_friction(settings, report);
   for (HasFriction* t : system_->with<HasFriction>()) t->enable_friction(true);
-  for (RestrainedInStatics* t : restrained) t->hold(false, true);
+  for (RestrainedInStatics* t : restrained) t->end_statics();
   if (restrained.empty()) return report;
   for (size_t n = 0; n < static_cast<size_t>(local().owned); ++n) {
     state_.v[n] = v[n];
@@ -139,12 +178,15 @@ void Simulation::note_contact_at_rest() {
 }
 
 void Simulation::note_bodies_held_without_weight() {
-  if (contact_friction_in_statics() || rank_of(system_->comm()) != 0) return;
+  if (rank_of(system_->comm()) != 0) return;
   for (size_t b = 0; b < case_.bodies.size(); ++b) {
     const model::Body& body = case_.bodies[b];
-    if (!body.mass || !body.mass->weight || body.mass->spring_stiffness().z() > 0) continue;
-    const StaticRest rule = static_rest(case_, static_cast<int>(b));
-    if (rule.by_friction && !rule.always) notes_.push_back(advice::held_without_weight(body.name));
+    if (!body.mass || !body.mass->weight || body.mass->hull || body.mass->spring_stiffness().z() > 0)
+      continue;
+    const model::ContactOfBody contact = model::contact_of_body(case_, body.name);
+    if (contact == model::ContactOfBody::none || has_equilibrium(b, static_rest(case_, static_cast<int>(b))))
+      continue;
+    notes_.push_back(advice::held_without_weight(body.name, contact == model::ContactOfBody::with_friction));
   }
 }
 

@@ -55,7 +55,6 @@ void BodiesInFlow::add(const model::Case& c, int body, int node, const LocalMesh
   f.block = mesh.block[node];
   f.global = mesh.global[node];
   f.body = body;
-  f.static_rest = static_rest(c, body);
 }
 
 // Gusts act in dynamics only.
@@ -108,7 +107,7 @@ void BodiesInFlow::prepare(const Kinematics& from, double) {
 
 void BodiesInFlow::evaluate(const Kinematics& trial, Assembler& assembler) {
   for (const Flow& f : list_) {
-    if (is_held(f.static_rest)) continue;
+    if (is_held(f.body)) continue;
     const RigidBodyState s = floating_state(trial, f.node);
     const BodyFlowResidual r = body_flow(f.data, s, velocity(f, trial, s));
     const int blocks[2] = {f.block, f.block + 1};
@@ -131,7 +130,7 @@ Energy BodiesInFlow::energy(const Kinematics& state) const {
   for (const Flow& f : list_) {
     e.work += f.work;
     e.by_water += f.work;
-    if (!is_held(f.static_rest) && !state.moves() && f.pushed) e.potential -= work(f.push, push(f, state));
+    if (!is_held(f.body) && !state.moves() && f.pushed) e.potential -= work(f.push, push(f, state));
   }
   return e;
 }

@@ -25,7 +25,6 @@ BodiesInWater::BodiesInWater(const model::Case& c, const LocalMesh& mesh) : sea_
     const model::Body& body = c.bodies[b.body];
     const model::BodyMass& m = *body.mass;
     if (!m.in_water && m.members.empty()) continue;
-    b.static_rest = static_rest(c, b.body);
     const size_t first = list_.size();
     if (m.in_water) {
       const model::BodyInWater& w = *m.in_water;
@@ -166,7 +165,7 @@ void BodiesInWater::evaluate(const Kinematics& trial, Assembler& assembler) {
   const bool tangent = assembler.needs_tangent();
   BodyWaterResidual r;
   for (const Wet& b : list_) {
-    if (is_held(b.static_rest)) continue;
+    if (is_held(b.body)) continue;
     const RigidBodyState s = body_state(b, trial);
     const Places at = places(b, s);
     body_water(b.data, s, water(b, trial, at.centre, &Wet::centre), water(b, trial, at.drag, &Wet::drag),
@@ -202,7 +201,7 @@ Energy BodiesInWater::energy(const Kinematics& state) const {
   for (const Wet& b : list_) {
     e.work += b.work;
     e.by_water += b.work;
-    if (is_held(b.static_rest)) continue;
+    if (is_held(b.body)) continue;
     e.potential += body_water_potential(b.data, body_state(b, state), sea_.surface);
     if (!state.moves() && b.flowed) e.potential -= work(b.flow, flow(b, state));
   }

@@ -97,6 +97,14 @@ std::vector<DrivenApart> BodyContact::driven_apart(const Kinematics& start) cons
   return gather_all(comm_, out);
 }
 
+std::vector<TouchingVolumes> BodyContact::touching(const Kinematics& state) const {
+  std::vector<TouchingVolumes> out;
+  for (const Pair& p : pairs_)
+    if (p.counted && contact(p, frames_of(p, state), kSprings).active)
+      out.push_back({static_cast<int>(p.a), static_cast<int>(p.b)});
+  return gather_all(comm_, out);
+}
+
 void BodyContact::check_at_rest(const Kinematics& equilibrium) {
   // Penetrations on the path to rest do not permit any in the motion.
   for (Pair& p : pairs_) p.penetration_since_clear = 0;

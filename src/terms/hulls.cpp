@@ -69,7 +69,6 @@ Hulls::Hulls(const model::Case& c, const LocalMesh& mesh, const VolumeFacets& fa
     hull.block = mesh.block[n];
     hull.global = global;
     hull.body = body;
-    hull.static_rest = static_rest(c, body);
     constexpr double kDeep = 1e6;  // m
     const double volume = displaced_volumes(hull.surface, kDeep, {}).x();
     hull.full_buoyancy = sea_.density * sea_.gravity * volume;
@@ -126,7 +125,6 @@ void Hulls::prepare(const Kinematics& from, double) {
 
 void Hulls::evaluate(const Kinematics& trial, Assembler& assembler) {
   for (const Hull& hull : list_) {
-    if (is_held(hull.static_rest)) continue;
     const HullPressure p = pressure(hull, trial, true, assembler.needs_tangent());
     const int blocks[2] = {hull.block, hull.block + 1};
     assembler.add(blocks, p.f, p.K);
@@ -151,7 +149,7 @@ Energy Hulls::energy(const Kinematics& state) const {
   for (const Hull& hull : list_) {
     e.work += hull.work;
     e.by_water += hull.work;
-    if (!is_held(hull.static_rest)) e.potential += forces(hull, state).still_water.potential;
+    e.potential += forces(hull, state).still_water.potential;
   }
   return e;
 }

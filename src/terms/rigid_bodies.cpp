@@ -11,12 +11,16 @@ namespace hawser {
 
 RigidBodyData RigidBodies::data(const Floating& f) const {
   RigidBodyData d = f.data;
-  for (int i = 0; i < 3 && is_held(f.static_rest); ++i) {
-    if (!(d.stiffness[i] > 0)) {
+  if (!is_held(f.body)) return d;
+  for (int i = 0; i < 3; ++i) {
+    // The buoyancy of a hull carries the body and keeps it upright.
+    const bool carried = f.has_hull && i == 2;
+    const bool upright = f.has_hull && i < 2;
+    if (!(d.stiffness[i] > 0) && !carried) {
       d.stiffness[i] = d.mass;
       d.weight[i] = 0;
     }
-    if (!(d.turning_stiffness[i] > 0)) d.turning_stiffness[i] = d.inertia(i, i);
+    if (!(d.turning_stiffness[i] > 0) && !upright) d.turning_stiffness[i] = d.inertia(i, i);
   }
   return d;
 }
@@ -76,7 +80,7 @@ RigidBodies::RigidBodies(const model::Case& c, const LocalMesh& mesh, std::share
     f.data.matrices = {m.stiffness_matrix, m.damping_matrix, -m.centre};
     for (const model::BodyLoad& l : m.loads)
       f.loads.push_back({{l.force, l.moment, l.at - m.centre, l.body_fixed, l.table.empty()}, l.table});
-    f.static_rest = static_rest(c, body);
+    f.has_hull = static_cast<bool>(m.hull);
     f.centre = m.centre;
     f.body = body;
     f.node = n;
@@ -139,11 +143,11 @@ void RigidBodies::evaluate(const Kinematics& trial, Assembler& assembler) {
   for (const Floating& f : list_) {
     const RigidBodyState s = floating_state(trial, f.node);
     RigidBodyResidual r = residual(f, s, trial, by_momenta(trial));
-    if (!is_held(f.static_rest))
+    if (!is_held(f.body))
       for (const Load& l : f.loads) add_load(l.at(trial.time), s, r);
     const int blocks[2] = {f.block, f.block + 1};
     assembler.add(blocks, r.inertia, r.K, r.C, r.M);
-    if (in_statics() && !is_held(f.static_rest) && assembler.needs_tangent()) {
+    if (in_statics() && !is_held(f.body) && assembler.needs_tangent()) {
       Mat6 K = Mat6::Zero();
       K.topLeftCorner<3, 3>() = kDrift * kDrift * f.data.mass * Mat3::Identity();
       K.bottomRightCorner<3, 3>() = kDrift * kDrift * f.data.inertia;

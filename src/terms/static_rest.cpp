@@ -24,17 +24,19 @@ bool floats_at_rest(const model::Case& c, const model::BodyMass& m) {
   if (!m.in_water && !m.hull) return false;
   const model::Water& w = c.environment.water;
   const Vec3 springs = m.spring_stiffness();
-  const bool carried = m.hull || springs.z() > 0 || w.density * m.in_water->volume > m.mass;
+  const double neutral = m.mass * (1 - 1e-9);  // kg, up to round-off of the volume
+  const bool carried = m.hull || springs.z() > 0 || w.density * m.in_water->volume >= neutral;
   const bool flows = !w.current.profile.empty() && !(w.current.ramp > 0);
   return carried && (!flows || springs.head<2>().minCoeff() > 0);
 }
 
-// True if springs with a matrix support the body at rest: under its weight, and in water, wind and current.
-bool rests_on_matrix(const model::BodyMass& m) {
+// True if springs support the body at rest: under its weight, and in water, wind and current, whose forces
+// turn it, too.
+bool rests_on_springs(const model::BodyMass& m) {
   const Vec3 springs = m.spring_stiffness();
   const bool in_flow = m.wind || m.current || m.in_water || m.hull || !m.members.empty();
-  return !m.stiffness_matrix.isZero() && (!m.weight || springs.z() > 0) &&
-         (!in_flow || springs.head<2>().minCoeff() > 0);
+  const bool against_turning = !m.stiffness_matrix.isZero() || m.turning_stiffness.minCoeff() > 0;
+  return against_turning && (!m.weight || springs.z() > 0) && (!in_flow || springs.head<2>().minCoeff() > 0);
 }
 
 }  // namespace
@@ -44,9 +46,10 @@ StaticRest static_rest(const model::Case& c, int body) {
   const bool held_in_flow = (m.wind || m.current) && m.spring_stiffness().head<2>().minCoeff() > 0;
   const bool positioned = m.positioning && m.positioning->proportional.head<2>().minCoeff() > 0;
   StaticRest out;
-  out.always = m.hydrodynamics || held_in_flow || positioned || !m.loads.empty() ||
-               in_lines_or_links(c, body) || floats_at_rest(c, m) || rests_on_matrix(m);
-  out.by_friction = model::has_friction_on_bodies(c, c.bodies[body].name);
+  out.supported = m.hydrodynamics || held_in_flow || positioned || in_lines_or_links(c, body) ||
+                  floats_at_rest(c, m) || rests_on_springs(m);
+  out.loaded = !m.loads.empty();
+  out.by_friction = model::contact_of_body(c, c.bodies[body].name) == model::ContactOfBody::with_friction;
   return out;
 }
 

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "hawser/base/error.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/kernels/catenary.hpp"
 #include "regression/runs.hpp"
 
@@ -181,6 +182,7 @@ CatenaryShape running(double V, double& T) {
 }
 
 TEST(Feeders, ALineThatRunsKeepsItsShape) {
+  if (size_of(MPI_COMM_WORLD) > 1 && !std::getenv("HAWSER_FULL")) GTEST_SKIP() << "long; set HAWSER_FULL";
   const std::string path = folder("feeders-running");
   const std::string input = path + "/case.yaml";
   const std::string file = path + "/whole.h5";

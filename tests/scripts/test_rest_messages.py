@@ -38,6 +38,20 @@ bodies:
 
 # A crate of 98 kN on a floor with friction 0.5, and a rope to an anchor at the height of its end. Rope and crate pull apart by
 # less than the friction.
+MODULE = """hawser: 1
+environment: {water: {density: 1025, depth: 100}}
+line_types: {wire: {outer_diameter: 0.03, mass_per_length: 3, EA: 20 MN, bending: false}}
+bodies:
+  barge: {position: [0, 0, 0], floating: {mass: 410000, inertia: [4e6, 1.4e7, 1.7e7], hull: {volumes: [deck]}}}
+  module: {position: [0, 2, 3], floating: {mass: 20000, inertia: [13000, 13000, 13000], weight: true}}
+volumes:
+  deck: {shape: {box: {centre: [0, 0, 0], size: [20, 10, 4]}}, body: barge, friction: 0.4}
+  base: {shape: {box: {centre: [0, 0, 0], size: [2, 2, 2]}}, body: module, normal_stiffness: {per_point: 2.5e6}, friction: 0.4}
+lines:
+  crane: {sections: [{type: wire, length: 6.3, elements: 20}], end_a: {anchor: [0, 2, 10]}, end_b: {body: module, at: [0, 0, 1]}}
+dynamics: {duration: 0.1}
+"""
+
 CRATE = """\
 hawser: 1
 volumes:
@@ -101,6 +115,17 @@ class RestMessagesTest(unittest.TestCase):
         for text in self.texts(CRATE):
             self.assertRegex(text, moved)
         for text in self.texts(CRATE, "statics={contact_friction: true}"):
+            self.assertNotIn("statics moves it", text)
+
+    def test_body_that_leaves_its_deck(self):
+        """A module eccentric on a barge; its crane wire is slack. Without friction the barge heels, and the module slides off it
+        until it hangs from the wire."""
+        left = r"note: bodies\.module: statics moves it off volume deck, on which it starts, without their friction of 0\.4; " \
+               r"set 'statics: {contact_friction: true}' if friction holds it there"
+        for text in self.texts(MODULE):
+            self.assertRegex(text, left)
+            self.assertNotIn("bodies.barge: statics", text)
+        for text in self.texts(MODULE, "statics={contact_friction: true}"):
             self.assertNotIn("statics moves it", text)
 
 

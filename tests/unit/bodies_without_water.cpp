@@ -56,5 +56,19 @@ TEST(BodiesWithoutWater, NoneIfTheWaterIsThere) {
   EXPECT_EQ(notes(kWaves, ", weight: true", ", position: [0, 0, 3]"), none);
 }
 
+// Members have drag, but nothing carries the weight of their body.
+TEST(BodiesWithoutWater, MembersHaveNoBuoyancy) {
+  const auto spar = [](const std::string& weight) {
+    return "  spar: {position: [300, 0, 0], floating: {mass: 1e6, inertia: [1e8, 1e8, 1e8], weight: " +
+           weight + ", members: [{from: [0, 0, -10], to: [0, 0, 5], diameter: 10}]}}\n";
+  };
+  const std::vector<std::string> found = notes("", "", "", spar("true"));
+  ASSERT_EQ(found.size(), 1U) << testing::PrintToString(found);
+  EXPECT_NE(found.front().find("bodies.spar.floating.members: have drag and added mass, but no buoyancy"),
+            std::string::npos)
+      << found.front();
+  EXPECT_EQ(notes("", "", "", spar("false")), std::vector<std::string>{});
+}
+
 }  // namespace
 }  // namespace hawser::bodies_without_water_test

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "../regression/runs.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/io/case_reader.hpp"
 #include "hawser/run/simulation.hpp"
 #include "support/leg_on_bed.hpp"
@@ -339,6 +340,7 @@ TEST(BedFriction, RandomLegs) {
 // A taut and a slack chain of 100 mm that spans a ridge or a trench of a gridded bed: friction stays within
 // Coulomb's limit, and elements of half the length change the end tensions by less than 1 %.
 TEST(BedFriction, RidgesAndTrenches) {
+  if (size_of(MPI_COMM_WORLD) > 1 && !std::getenv("HAWSER_FULL")) GTEST_SKIP() << "long; set HAWSER_FULL";
   constexpr double kLength = 400;
   constexpr double kDepth = 80;
   constexpr double kWeight = (200 - 1025 * M_PI / 4 * 0.18 * 0.18) * 9.80665;

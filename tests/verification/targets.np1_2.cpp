@@ -4,6 +4,7 @@
 
 #include "../regression/runs.hpp"
 #include "hawser/base/error.hpp"
+#include "hawser/base/mpi.hpp"
 #include "hawser/io/hdf5.hpp"
 #include "hawser/kernels/catenary_on_bed.hpp"
 #include "hawser/model/check.hpp"
@@ -163,6 +164,7 @@ TEST(Targets, OfOneSection) {
 
 // Three lines at a joint: the tension of one depends on the length of the other.
 TEST(Targets, OfLinesThatPullAtEachOther) {
+  if (size_of(MPI_COMM_WORLD) > 1 && !std::getenv("HAWSER_FULL")) GTEST_SKIP() << "long; set HAWSER_FULL";
   const std::string line =
       ": {sections: [{type: rope, length: 75, elements: 40}], end_b: {joint: knot}, end_a: ";
   const model::Case c =

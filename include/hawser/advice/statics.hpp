@@ -28,12 +28,15 @@ std::string more_lines_on_bed(size_t lines);
 // one of their anchors is, too.
 std::string lie_below_water(const std::vector<std::string>& lines, double below, double depth,
                             bool with_anchor);
-// A body with weight that only friction on other bodies would hold.
-std::string held_without_weight(const std::string& body);
+// A body with weight that only friction on other bodies would hold; with_friction: the case has it.
+std::string held_without_weight(const std::string& body, bool with_friction);
 // A body that statics moves by `distance` [m] along a volume with this coefficient of friction, which it
 // excludes.
 std::string moved_without_friction(const std::string& body, double distance, const std::string& volume,
                                    double friction);
+// A body that statics lifts or moves off a volume on which it starts, with this coefficient of friction, which
+// it excludes.
+std::string left_without_friction(const std::string& body, const std::string& volume, double friction);
 // Unstable equilibria that statics left; number of negative eigenvalues of the one found.
 std::string unstable_equilibria_left(int equilibria);
 std::string unstable_at_rest(long eigenvalues);

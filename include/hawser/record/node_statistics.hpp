@@ -25,7 +25,8 @@ class NodeStatistics {
   std::vector<double> table(std::size_t field) const;
 
   void save(io::Checkpoint& to) const;
-  // Files of older versions have no statistics; they then start at the file's time.
+  // Statistics of fields that the run of the checkpoint did not have start at its time; so do those of all
+  // fields if one of them is missing.
   void restore(const io::Checkpoint& from);
 
  private:

@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -59,6 +60,11 @@ class Snapshot {
   const StepInfo step;  // step that led to this state; of length 0: none
   const Values &values, &ends;
   const EndForces& end_forces;
+  // Values of a field on the owned nodes by its index among the declared fields; empty for an index of -1.
+  std::span<const double> field(int index) const {
+    if (index < 0) return {};
+    return values[static_cast<size_t>(index)];
+  }
   // Poses of the bodies of the case. Collective.
   const std::vector<io::BodyPose>& poses() const {
     if (!poses_) poses_ = body_poses(subject_.bodies, subject_.system, at);

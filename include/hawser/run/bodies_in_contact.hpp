@@ -9,14 +9,33 @@
 #include "hawser/state/kinematics.hpp"
 #include "hawser/system/system.hpp"
 #include "hawser/terms/bodies.hpp"
+#include "hawser/terms/body_contact.hpp"
+#include "hawser/terms/static_rest.hpp"
 
 namespace hawser::run {
 
+// A body that rests on another one (-1: on volumes fixed in space); indices of the case.
+struct RestsOnBody {
+  int body = 0, other = -1;
+};
+// Bodies with weight or loads that start in contact and that nothing else supports in statics. support: by
+// body of the case, for those of this rank. The same on all ranks. Collective.
+std::vector<RestsOnBody> bodies_starting_in_contact(const model::Case& c,
+                                                    const std::vector<StaticRest>& support,
+                                                    const System& system, const Kinematics& start);
+// True if none of them has turned or moved significantly against what it rests on. Collective.
+bool have_stayed(const model::Case& c, const std::vector<RestsOnBody>& resting,
+                 const std::vector<RigidPose>& start, const std::vector<RigidPose>& equilibrium);
+// Poses of the bodies of the case in a state, on all ranks. Collective.
+std::vector<RigidPose> poses_of(const System& system, const Bodies& bodies, const Kinematics& state);
+// Volumes of bodies that touch each other. The same on all ranks. Collective.
+std::vector<TouchingVolumes> touching_volumes(const System& system, const Kinematics& state);
 // Messages about bodies that rest on a volume with friction and have moved along it from their initial
-// position (advice::moved_without_friction); for statics without friction between bodies. The same on all
-// ranks. Collective.
+// position (advice::moved_without_friction), or that have left the volume on which they started (`at_start`);
+// for statics without friction between bodies. The same on all ranks. Collective.
 std::vector<std::string> bodies_moved_by_statics(const model::Case& c, const System& system,
-                                                 const Bodies& bodies, const Kinematics& equilibrium);
+                                                 const Bodies& bodies, const Kinematics& equilibrium,
+                                                 const std::vector<TouchingVolumes>& at_start);
 // Messages about volumes that the energy of their contact drives apart (BodyContact::driven_apart). The same
 // on all ranks. Collective.
 std::vector<std::string> bodies_driven_apart(const model::Case& c, const System& system,

@@ -22,6 +22,7 @@
 #include "hawser/terms/hulls.hpp"
 #include "hawser/terms/line_pairs.hpp"
 #include "hawser/terms/line_volume_contact.hpp"
+#include "hawser/terms/static_rest.hpp"
 
 namespace hawser {
 class Feeders;
@@ -113,8 +114,13 @@ class Simulation {
   // Finds the equilibrium with friction as in statics, and with bodies restrained that have no equilibrium of
   // their own. The bodies keep their initial velocities for dynamics.
   StaticsReport find_restrained_equilibrium(const StaticsSettings& settings);
-  // The same, by friction of contact if there is none without it.
+  // The same, by friction of contact if there is none without it, or if bodies start in contact that nothing
+  // else supports.
   StaticsReport find_equilibrium_or_rest_by_friction(StaticsSettings settings);
+  std::optional<StaticsReport> rest_in_contact(StaticsSettings settings);
+  // Whether statics finds the equilibrium of a body with this support.
+  bool has_equilibrium(size_t body, const StaticRest& support) const;
+  std::vector<bool> bodies_with_equilibrium() const;
   void enable_friction_at_rest();
   void note_contact_at_rest();
   void note_bodies_held_without_weight();
@@ -131,8 +137,10 @@ class Simulation {
   StartContact start_contact_;
   int cut_ = 0;
   std::optional<bool> friction_in_statics_;  // set by a stage; none: as in the case
-  bool any_laid_ = false;                    // the laid position of some line of the case is known
-  std::vector<Vec3> laid_;                   // m, laid positions of local nodes on the bed; as in StartShape
+  std::vector<StaticRest> support_;          // by body of the case, for those of this rank
+  std::vector<bool> resting_;  // by body, whether contact supports it from its start; empty: none
+  bool any_laid_ = false;      // the laid position of some line of the case is known
+  std::vector<Vec3> laid_;     // m, laid positions of local nodes on the bed; as in StartShape
 };
 
 }  // namespace hawser::run

@@ -10,7 +10,6 @@
 #include "hawser/system/force_term.hpp"
 #include "hawser/terms/run_roles.hpp"
 #include "hawser/terms/sea.hpp"
-#include "hawser/terms/static_rest.hpp"
 
 namespace hawser {
 
@@ -53,8 +52,7 @@ class BodiesInFlow final : public ForceTerm,
     double height = 0;  // m above the still water, reference height of the wind coefficients
     int node = 0, block = 0, global = 0;  // local node; local block of its position; mesh node
     int body = 0;                         // index in the case
-    StaticRest static_rest;
-    Push push;  // at the last accepted state; in statics at the last iteration
+    Push push;                            // at the last accepted state; in statics at the last iteration
     bool pushed = false;
     double work = 0;  // J, over the accepted steps
   };

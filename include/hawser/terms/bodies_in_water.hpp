@@ -9,7 +9,6 @@
 #include "hawser/system/force_term.hpp"
 #include "hawser/terms/run_roles.hpp"
 #include "hawser/terms/sea.hpp"
-#include "hawser/terms/static_rest.hpp"
 
 namespace hawser {
 
@@ -63,7 +62,6 @@ class BodiesInWater final : public ForceTerm,
     int node = 0, block = 0, global = 0;  // local node; local block of its position; mesh node
     int body = 0;                         // index in the case
     int key = 0;                          // distinguishes the records of one body
-    StaticRest static_rest;
     // Waves are evaluated once a step, for its end, at the centres extrapolated with their velocities.
     Places start, speed;              // m, m/s, at the start of the step
     Places wave_place;                // m, where waves were evaluated for the state at start_time_

@@ -45,6 +45,11 @@ struct BodyFrame {
   Vec3 velocity(const Vec3& y) const { return v + R * w.cross(y - centre); }
 };
 
+// Two volumes in contact; indices of the case.
+struct TouchingVolumes {
+  int volume = 0, other_volume = 0;
+};
+
 // Two volumes that the elastic energy [J] of their contact drives apart; out: way out of contact, m. Indices
 // of the case.
 struct DrivenApart {
@@ -107,6 +112,8 @@ class BodyContact final : public ForceTerm,
   // Pairs in contact whose springs have more energy than the motion of the bodies and the other forces, over
   // the way out of contact, take up: they drive the bodies apart. start: with its accelerations. Collective.
   std::vector<DrivenApart> driven_apart(const Kinematics& start) const;
+  // Volumes with forces on each other in a state. The same on all ranks. Collective.
+  std::vector<TouchingVolumes> touching(const Kinematics& state) const;
   // Largest penetration over the accepted steps of the pairs that this rank counts, m.
   double largest_penetration() const;
   // Adds the active contacts of those pairs in the accepted state. Volumes have their indices in the case.

@@ -11,7 +11,6 @@
 #include "hawser/system/force_term.hpp"
 #include "hawser/terms/run_roles.hpp"
 #include "hawser/terms/sea.hpp"
-#include "hawser/terms/static_rest.hpp"
 
 namespace hawser {
 
@@ -26,7 +25,6 @@ HullSurface hull_surface(const model::Case& c, int body, const VolumeFacets& fac
 class Hulls final : public ForceTerm,
                     public AppliesExternalLoad,
                     public ScalesResiduals,
-                    public RestrainedInStatics,
                     public ReportsBodyForces {
  public:
   // Builds the term for the bodies of the case that this rank owns.
@@ -59,7 +57,6 @@ class Hulls final : public ForceTerm,
     HullSurface surface;
     int node = 0, block = 0, global = 0;  // local node; local block of its position; mesh node
     int body = 0;                         // index in the case
-    StaticRest static_rest;
     bool in_waves = false;
     double full_buoyancy = 0;  // N, buoyancy of the fully submerged hull
     RigidBodyState start;      // at the start of the step

@@ -14,7 +14,6 @@
 #include "hawser/system/force_term.hpp"
 #include "hawser/terms/bodies.hpp"
 #include "hawser/terms/run_roles.hpp"
-#include "hawser/terms/static_rest.hpp"
 
 namespace hawser {
 
@@ -56,7 +55,7 @@ class RigidBodies final : public ForceTerm,
     Vec3 centre;                // m, centre of mass in the body frame
     int body = 0, node = 0;     // index in the case; local node
     int block = 0, global = 0;  // local block of the position; mesh node
-    StaticRest static_rest;
+    bool has_hull = false;
     RigidBodyState start;                      // at the last prepare()
     MomentumForces momenta;                    // at the last accepted state
     double damping = 0, work = 0;              // J, over the accepted steps

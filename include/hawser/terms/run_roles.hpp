@@ -2,13 +2,14 @@
 // lists the terms with a role.
 #pragma once
 
+#include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "hawser/math/types.hpp"
 #include "hawser/state/kinematics.hpp"
 #include "hawser/system/field.hpp"
-#include "hawser/terms/static_rest.hpp"
 
 namespace hawser {
 
@@ -31,19 +32,21 @@ class AppliesExternalLoad {
 class RestrainedInStatics {
  public:
   virtual ~RestrainedInStatics() = default;
-  // on: statics begins; friction: contact has friction in this stage.
-  void hold(bool on, bool friction) {
-    in_statics_ = on;
-    friction_ = friction;
+  // computed: by body of the case, whether statics finds its equilibrium; it holds the others.
+  void begin_statics(std::vector<bool> computed) {
+    in_statics_ = true;
+    computed_ = std::move(computed);
   }
+  void end_statics() { in_statics_ = false; }
 
  protected:
   bool in_statics() const { return in_statics_; }
-  // Whether statics holds the body with this support where it starts.
-  bool is_held(const StaticRest& rest) const { return in_statics_ && !rest.is_computed(friction_); }
+  // Whether statics holds this body of the case where it starts.
+  bool is_held(int body) const { return in_statics_ && !computed_[static_cast<size_t>(body)]; }
 
  private:
-  bool in_statics_ = false, friction_ = false;
+  bool in_statics_ = false;
+  std::vector<bool> computed_;
 };
 
 // A term for which not every equilibrium of statics is a valid result.

@@ -6,12 +6,12 @@
 namespace hawser {
 
 struct StaticRest {
-  // The body is a platform, has loads or dynamic positioning, carries lines or links, can be touched by
-  // lines, is held by springs in wind and current or by a stiffness matrix, or floats in water where no
-  // current moves it.
-  bool always = false;
+  // The body is a platform, has dynamic positioning, carries lines or links, can be touched by lines, is held
+  // by springs, also in wind and current, or floats in water where no current moves it.
+  bool supported = false;
+  bool loaded = false;       // by forces of the case
   bool by_friction = false;  // other bodies can hold it if contact has friction in statics
-  bool is_computed(bool friction) const { return always || (friction && by_friction); }
+  bool is_computed(bool friction) const { return supported || loaded || (friction && by_friction); }
 };
 
 // body: index in the case, of a body with mass.
