@@ -168,7 +168,7 @@ def deck(s):
 
 
 def drum(s):
-    """A rope with turns around a rotating or stationary drum, its other end pulled."""
+    """A rope with turns around a drum: pulled over a stationary one, or hauled off a rotating one that lifts a load."""
     r = s.r
     kind = s.parts["line_types"]["line"] = r.choice([fibre, wire, hose])(r)
     d = diameter(kind)
@@ -179,7 +179,8 @@ def drum(s):
     else:
         shape = {"shape": {"cylinder": {"from": [0, -half, 0], "to": [0, half, 0], "radius": radius}}}
     turn = r.random() < 0.5
-    s.body("drum", **({"motion": {"rotation": {"axis": [0, 1, 0], "rate": r.uniform(0.05, 0.3)}, "ramp": 2}} if turn else {}))
+    rate = r.uniform(0.05, 0.3) if turn else 0.0
+    s.body("drum", **({"motion": {"rotation": {"axis": [0, 1, 0], "rate": rate}, "ramp": 2}} if turn else {}))
     s.volume("drum", shape, body="drum", friction=r.choice([0.1, 0.2, 0.3]))
     turns = r.choice([0.5, 0.5, 1.5, 2.5])
     n = int(24 * turns)
@@ -188,11 +189,13 @@ def drum(s):
     points += [(-ring * math.cos(2 * math.pi * turns * i / n), pitch * (turns * i / n - 0.5 * turns),
                 ring * math.sin(2 * math.pi * turns * i / n)) for i in range(n + 1)]
     points.append((ring, 0.5 * pitch * turns, -r.uniform(3, 8) * radius))
-    pull = r.uniform(0.002, 0.02) * radius if not turn else 0.0
-    s.body("hook", position=list(points[-1]), **travel(r, (0, 0, -pull * 10)))
+    if turn:  # the rope is hauled off as fast as the drum turns
+        s.body("hook", position=list(points[-1]), **travel(r, (0, 0, -9 * rate * radius), 1.0, 10.0))
+    else:
+        s.body("hook", position=list(points[-1]), **travel(r, (0, 0, -10 * r.uniform(0.002, 0.02) * radius)))
     s.line("line", "line", points, int(30 + 40 * turns), r.uniform(1.001, 1.01),
            ends=(None, {"body": "hook", "at": [0, 0, 0]}))
-    if r.random() < 0.5 and not turn:
+    if r.random() < 0.5 or turn:
         line = s.parts["lines"]["line"]
         line["end_a"] = "free"
         line["masses"] = [{"at": "end_a", "mass": weight(kind) * radius * r.uniform(5, 40) / 9.8}]
@@ -221,6 +224,20 @@ def lines(s):
            ends=({"body": "frame", "at": list(points[0])}, {"body": "frame", "at": list(points[-1])}))
 
 
+def along_side(length, beam, gap, end):
+    """Taut points beside the hull, from a point on its straight side at z = -1.5 around the bow to `end`."""
+    start = 0.1 * length
+    stations = [start + 0.02 * i * length for i in range(21)]
+    side = [(x, 0.5 * beam * meshes.hull_width(length, x) + gap) for x in stations]
+    taut = []
+    for p in side + [end[:2]]:  # the outer side of the convex hull in plan
+        while len(taut) > 1 and ((taut[-1][0] - taut[-2][0]) * (p[1] - taut[-2][1])
+                                 >= (taut[-1][1] - taut[-2][1]) * (p[0] - taut[-2][0])):
+            taut.pop()
+        taut.append(p)
+    return [(x, y, -1.5 + (end[2] + 1.5) * (x - start) / (end[0] - start)) for x, y in taut]
+
+
 def hull(s):
     """A hawser or hose along a ship's hull that yaws and sways."""
     r = s.r
@@ -241,8 +258,8 @@ def hull(s):
                   (x, y + 3, 2)]
         s.line("line", "line", points, 80, r.uniform(0.93, 1.0))
     else:
-        points = [(-0.3 * length, y + 0.3, -1.5), (0.1 * length, y + 1.2 * a + 0.1, -1.5),
-                  (r.uniform(0.5, 0.8) * length, r.uniform(0, 8), r.uniform(-3, 3))]
+        end = (r.uniform(0.5, 0.8) * length, r.uniform(0, 8), r.uniform(-3, 3))
+        points = [(-0.3 * length, y + 0.3, -1.5)] + along_side(length, beam, 1.2 * a + 0.1, end)
         s.line("line", "line", points, 80, r.uniform(1.0005, 1.01), ends=({"body": "ship", "at": list(points[0])}, None))
 
 

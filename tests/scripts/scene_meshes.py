@@ -162,6 +162,12 @@ def rock(r, size):
     return outward((vertices, facets))
 
 
+def hull_width(length, x):
+    """Width of the ship of hull() at x, as a fraction of its beam."""
+    s = x / length + 0.5
+    return 1.0 if s < 0.7 else max(0.03, max(0.0, math.cos(0.5 * math.pi * (s - 0.7) / 0.3)) ** 0.7)
+
+
 def hull(length, beam, depth, bilge, stations=24):
     """A ship about the origin, its deck at z = 0: full amidships, pointed at the bow (+x), with round bilges."""
     half = []
@@ -172,9 +178,8 @@ def hull(length, beam, depth, bilge, stations=24):
     section += [(-y, z) for y, z in reversed(section)]
     sides, vertices = len(section), []
     for i in range(stations + 1):
-        s = i / stations
-        x = length * (s - 0.5)
-        full = 1.0 if s < 0.7 else max(0.03, max(0.0, math.cos(0.5 * math.pi * (s - 0.7) / 0.3)) ** 0.7)
+        x = length * (i / stations - 0.5)
+        full = hull_width(length, x)
         vertices += [(x, y * full, z) for y, z in section]
     facets = bands(stations + 1, sides, False)
     for row in (0, stations):
