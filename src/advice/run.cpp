@@ -69,7 +69,7 @@ std::string energy_of_run(const EnergyOfRun& e) {
 
 std::string stopped_by_signal(double time, double end, const std::string& results) {
   return fmt::format(
-      "stopped by a signal at t = {:.6g} of {:.6g} s: the results end at that time; --restart {} continues",
+      "stopped by a signal at t = {:.6g} of {:.6g} s: the histories end at that time; --restart {} continues",
       time, end, results);
 }
 

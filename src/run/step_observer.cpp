@@ -55,11 +55,11 @@ bool StepObserver::observe(const StepInfo& info) {
   act_after_step(
       events_, feeder_nodes_, [&] { requests = record_step(info, due); },
       [&](const std::string& e) { progress_.print(e); });
-  if (due.checkpoint || requests.stop) {
-    if (last || requests.stop || times_.checkpoint_every > 0 || requests.checkpoint) save_state();
+  const bool by_case = due.checkpoint && (last || times_.checkpoint_every > 0);
+  if (by_case || requests.stop || requests.checkpoint) save_state();
+  if (due.checkpoint)
     checkpoint_at_ =
         times_.checkpoint_every > 0 ? record::next_multiple(info.time, times_.checkpoint_every) : output_at_;
-  }
   stopped_ = requests.stop && !last;
   return !requests.stop;
 }

@@ -318,7 +318,7 @@ class Signals(Attack):
                 process.send_signal(sign)
                 out, _ = process.communicate()
                 self.assertEqual(process.returncode, 130)
-                stop_time = re.search(r"^stopped by a signal at t = (\S+) of 4000 s: the results end at that time; --restart \S+/long.h5 continues$",
+                stop_time = re.search(r"^stopped by a signal at t = (\S+) of 4000 s: the histories end at that time; --restart \S+/long.h5 continues$",
                                       out, re.M)[1]
                 self.assertIn("\nresults: ", out)
                 self.assertFalse((self.folder / "long.h5.lock").exists())
