@@ -12,6 +12,7 @@
 // - Numbers that need several terms, the whole state, or a memory of earlier steps: as a new Recording.
 #include <utility>
 
+#include "hawser/record/bodies_below_bed.hpp"
 #include "hawser/record/clash_report.hpp"
 #include "hawser/record/clearances.hpp"
 #include "hawser/record/contact_points.hpp"
@@ -61,6 +62,7 @@ Recordings recordings(const Subject& s, NodeFields& fields) {
   if (c.output.statistics) add(std::make_unique<Statistics>(s));
   add(std::make_unique<WaterErrors>(c, s.system));
   add(std::make_unique<PipeStrength>(s));
+  if (BodiesBelowBed::possible(c)) add(std::make_unique<BodiesBelowBed>(s));
   if (can_touch(s)) add(std::make_unique<ContactPoints>(s));
   if (ClashReport::enabled(s)) add(std::make_unique<ClashReport>(s));
   if (!c.supports.empty()) add(std::make_unique<SupportLog>(s));

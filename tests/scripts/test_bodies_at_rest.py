@@ -36,6 +36,18 @@ statics: false
 dynamics: {duration: 0.1}
 output: {every: 0.1}
 """
+# A crate under water that sinks 6 m to the bed.
+SINKING = """hawser: 1
+environment: {water: {density: 1025, depth: 50}, seabed: {depth: 50}}
+bodies:
+  crate: {position: [0, 0, -44], floating: {mass: 10000, inertia: [5000, 5000, 5000], in_water: {volume: 4, height: 2, drag_area: [3, 3, 3]}}}
+volumes:
+  crate: {shape: {box: {centre: [0, 0, 0], size: [2, 2, 2]}}, body: crate, normal_stiffness: {per_point: 1e7}, relative_damping: 0.3}
+FLOOR
+statics: false
+dynamics: {duration: 6}
+output: {every: 0.5}
+"""
 # A barge over a post that is small beside it. Their volumes have the penetration 0.05 m over the post.
 BARGE = """hawser: 1
 bodies:
@@ -97,6 +109,16 @@ class BodiesAtRest(unittest.TestCase):
                 self.assertEqual(apart, "volumes ship and quay start in contact with" in printed, printed)
                 if apart:
                     self.assertIn("which drives them apart; give bodies.ship.position 0.01 m further away", printed)
+
+    def test_crate_that_sinks_to_the_bed(self):
+        """The bed carries lines only."""
+        for floor, ranks in (("", 1), ("", 2), ("  floor: {shape: {plane: {point: [0, 0, -50], normal: [0, 0, 1]}}}", 1)):
+            with self.subTest(floor=floor, ranks=ranks):
+                (self.folder / "sinking.yaml").write_text(SINKING.replace("FLOOR", floor), "utf-8")
+                done = run("mpirun", "--allow-run-as-root", "--oversubscribe", "-n", str(ranks), HAWSER, "run", self.folder / "sinking.yaml")
+                self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+                warned = re.findall(r"warning: body crate sank to [\d.]+ m below the seabed, which carries lines only: add a volume", done.stdout)
+                self.assertEqual(len(warned), 0 if floor else 1, done.stdout)
 
 
 if __name__ == "__main__":

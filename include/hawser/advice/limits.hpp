@@ -29,6 +29,8 @@ double acceptable_penetration(const model::Case& c, const model::Line& line, con
 // Likewise in an impact on an automatic stiffness: about half the radius.
 double acceptable_impact_penetration(const model::Case& c, const model::Line& line,
                                      const model::Volume& volume);
+// A body whose centre of mass was `depth` [m] below the seabed.
+std::string below_bed(const std::string& body, double depth);
 // Automatic stiffness of a volume at the time of a penetration.
 struct PenetratedStiffness {
   double per_length = 0;   // N/m per m

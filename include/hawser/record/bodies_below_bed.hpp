@@ -1,0 +1,35 @@
+// Warnings of floating bodies that sink below the seabed, which carries lines only.
+#pragma once
+
+#include <map>
+#include <vector>
+
+#include "hawser/record/recording.hpp"
+#include "hawser/record/subject.hpp"
+
+namespace hawser::record {
+
+class BodiesBelowBed : public Recording {
+ public:
+  // The subject must outlive the object.
+  explicit BodiesBelowBed(const Subject& subject) : subject_(subject) {}
+
+  // True if the case has a seabed and floating bodies.
+  static bool possible(const model::Case& c);
+
+  void start(const Snapshot& s) override { output(s); }
+  void output(const Snapshot& s) override;
+  std::vector<Warning> warnings(const std::vector<io::SummaryRow>& summary) override;
+
+ private:
+  // Depth [m] of a centre of mass below the bed.
+  struct Below {
+    int body = 0;  // of the case
+    double depth = 0;
+  };
+
+  const Subject& subject_;
+  std::map<int, Below> deepest_;  // by body, for those of this rank that have been below the bed
+};
+
+}  // namespace hawser::record

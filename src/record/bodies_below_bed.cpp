@@ -1,0 +1,39 @@
+// The class BodiesBelowBed: the largest depth of the centres of mass of floating bodies below the bed.
+#include "hawser/record/bodies_below_bed.hpp"
+
+#include <algorithm>
+
+#include "hawser/advice/limits.hpp"
+#include "hawser/base/mpi.hpp"
+#include "hawser/model/bed.hpp"
+
+namespace hawser::record {
+
+bool BodiesBelowBed::possible(const model::Case& c) {
+  return c.environment.seabed.present && std::any_of(c.bodies.begin(), c.bodies.end(),
+                                                     [](const model::Body& b) { return b.mass.has_value(); });
+}
+
+void BodiesBelowBed::output(const Snapshot& s) {
+  const LocalMesh& mesh = subject_.local();
+  for (int n = 0; n < mesh.owned; ++n) {
+    const int body = mesh.mesh->node(mesh.global[n]).body;
+    if (body < 0) continue;
+    const double depth = -model::height_above_bed(subject_.model.environment.seabed, s.at.x[n]);
+    if (depth <= 0) continue;
+    Below& deepest = deepest_[body];
+    deepest = {body, std::max(deepest.depth, depth)};
+  }
+}
+
+std::vector<Warning> BodiesBelowBed::warnings(const std::vector<io::SummaryRow>&) {
+  std::vector<Below> here;
+  for (const auto& [body, below] : deepest_) here.push_back(below);
+  std::vector<Warning> out;
+  for (const Below& b : gather_all(subject_.comm(), here))
+    out.push_back({advice::below_bed(subject_.model.bodies[b.body].name, b.depth), Warning::kWholeRun});
+  if (rank_of(subject_.comm()) != 0) out.clear();
+  return out;
+}
+
+}  // namespace hawser::record
