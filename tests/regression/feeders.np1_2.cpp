@@ -5,7 +5,6 @@
 #include <optional>
 
 #include "hawser/base/error.hpp"
-#include "hawser/base/mpi.hpp"
 #include "hawser/kernels/catenary.hpp"
 #include "regression/runs.hpp"
 

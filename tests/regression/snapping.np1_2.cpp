@@ -2,7 +2,6 @@
 // is that of finer steps and elements.
 #include <array>
 
-#include "hawser/base/mpi.hpp"
 #include "regression/runs.hpp"
 
 namespace hawser::runs::snapping {

@@ -340,7 +340,7 @@ TEST(BedFriction, RandomLegs) {
 // A taut and a slack chain of 100 mm that spans a ridge or a trench of a gridded bed: friction stays within
 // Coulomb's limit, and elements of half the length change the end tensions by less than 1 %.
 TEST(BedFriction, RidgesAndTrenches) {
-  if (size_of(MPI_COMM_WORLD) > 1 && !std::getenv("HAWSER_FULL")) GTEST_SKIP() << "long; set HAWSER_FULL";
+  if (ranks_of(MPI_COMM_WORLD) > 1 && !std::getenv("HAWSER_FULL")) GTEST_SKIP() << "long; set HAWSER_FULL";
   constexpr double kLength = 400;
   constexpr double kDepth = 80;
   constexpr double kWeight = (200 - 1025 * M_PI / 4 * 0.18 * 0.18) * 9.80665;

@@ -100,7 +100,7 @@ bodies:
 // for k > M²/(4 C) = 2.5e4 N m/rad only. Modes are judged likewise. Slack chains, on one rank or two, change
 // none of this.
 TEST(BodyLoads, MomentAboutAFixedAxisIsStable) {
-  if (size_of(MPI_COMM_WORLD) > 1 && !std::getenv("HAWSER_FULL")) GTEST_SKIP() << "long; set HAWSER_FULL";
+  if (ranks_of(MPI_COMM_WORLD) > 1 && !std::getenv("HAWSER_FULL")) GTEST_SKIP() << "long; set HAWSER_FULL";
   struct Found {
     StaticsReport report;
     std::vector<NaturalMode> modes;

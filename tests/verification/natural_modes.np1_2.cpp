@@ -10,7 +10,7 @@
 #include "support/rig.hpp"
 #include "verification/dynamics_rig.hpp"
 
-namespace hawser::test::natural_modes {
+namespace hawser::test::natural_modes_test {
 namespace {
 
 constexpr double kG = 9.81;
@@ -163,4 +163,4 @@ TEST(NaturalModes, LoadOnASling) {
 }
 
 }  // namespace
-}  // namespace hawser::test::natural_modes
+}  // namespace hawser::test::natural_modes_test

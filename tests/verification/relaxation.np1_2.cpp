@@ -167,7 +167,7 @@ TEST(Relaxation, SlackLinesLieOnTheBed) {
 // Newton's iteration does not converge from a catenary below the bed; dynamic relaxation does, out of the
 // plane.
 TEST(Relaxation, WhatNewtonCannotDo) {
-  if (size_of(MPI_COMM_WORLD) > 1 && !std::getenv("HAWSER_FULL")) GTEST_SKIP() << "long; set HAWSER_FULL";
+  if (ranks_of(MPI_COMM_WORLD) > 1 && !std::getenv("HAWSER_FULL")) GTEST_SKIP() << "long; set HAWSER_FULL";
   model::Case c = on_the_floor(false, 100 - 0.5 * kDiameter);
   c.lines[0].sections[0].elements = 40;
   c.lines[0].start = model::Start::catenary;

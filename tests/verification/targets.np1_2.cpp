@@ -164,7 +164,7 @@ TEST(Targets, OfOneSection) {
 
 // Three lines at a joint: the tension of one depends on the length of the other.
 TEST(Targets, OfLinesThatPullAtEachOther) {
-  if (size_of(MPI_COMM_WORLD) > 1 && !std::getenv("HAWSER_FULL")) GTEST_SKIP() << "long; set HAWSER_FULL";
+  if (ranks_of(MPI_COMM_WORLD) > 1 && !std::getenv("HAWSER_FULL")) GTEST_SKIP() << "long; set HAWSER_FULL";
   const std::string line =
       ": {sections: [{type: rope, length: 75, elements: 40}], end_b: {joint: knot}, end_a: ";
   const model::Case c =
