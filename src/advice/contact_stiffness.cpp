@@ -127,6 +127,22 @@ std::string lines_too_soft(const PressedLines& at) {
       places(at.at), at.depth, 100 * at.depth / at.radii, at.stiffness, at.energy, key);
 }
 
+std::string body_too_soft(const BodyPressedThrough& at) {
+  const std::string text = fmt::format(
+      "{} is pressed {:.3g} m deep into {}, past the middle of its thickness of {:.3g} m, from where contact "
+      "pushes it out on the far side",
+      at.volume, at.depth, at.other, at.thickness);
+  if (at.table)
+    return text +
+           ": the force table of their contact is too soft for the load or the speed; add rows with "
+           "larger forces";
+  return fmt::format(
+      "{}: unless it starts too deep, a contact stiffness of {:.3g} is too small for the load or the speed; "
+      "try 'normal_stiffness: {{{}: {:.2g}}}' for {}{}",
+      text, at.stiffness, key_of(at.basis), rounded_up(at.required), at.volume,
+      at.both ? " and " + at.other + ", of which the lower value counts" : "");
+}
+
 std::string bodies_overlap(const std::string& one, const std::string& other, double depth, double penetration,
                            double time, const std::string& slave) {
   const std::string points = slave.empty()

@@ -64,6 +64,7 @@ struct Clause {
   std::string operator()(const BodyPassesBody& at) const {
     return fmt::format("{} would pass through {}", at.volume, at.other);
   }
+  std::string operator()(const BodyPressedThrough& at) const { return body_too_soft(at); }
   std::string operator()(const FeedsTooFast& at) const {
     return at.feeder + " is paid out or hauled in too fast for the length of its elements and of the step";
   }

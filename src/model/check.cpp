@@ -197,12 +197,22 @@ void check_floating(const Case& c, const Issues& issue) {
   }
   if (c.lines.empty() && !any)
     issue("lines", "required key is missing: there is no line, and no floating body either");
-  for (const BodyPair& p : body_pairs(c))
-    if (!(p.stiffness > 0))
-      issue("volumes." + c.volumes[p.a].name + ".normal_stiffness",
+  for (const BodyPair& p : body_pairs(c)) {
+    if (p.stiffness > 0) continue;
+    const Volume& a = c.volumes[p.a];
+    const Volume& b = c.volumes[p.b];
+    const auto given_to_ball = [](const Volume& v) {
+      return v.shape && std::holds_alternative<SphereShape>(*v.shape) && v.basis != StiffnessBasis::automatic;
+    };
+    if (given_to_ball(a) || given_to_ball(b))
+      issue("volumes." + (given_to_ball(a) ? a : b).name + ".normal_stiffness",
+            "a sphere touches other bodies as a ball, with a stiffness per_point only");
+    else
+      issue("volumes." + a.name + ".normal_stiffness",
             "contact of bodies needs a stiffness of '{}' or '{}': per_point (its corners and balls touch), "
-            "per_length (its edges) or per_area (its faces)",
-            c.volumes[p.a].name, c.volumes[p.b].name);
+            "per_length (its edges and bars) or per_area (its faces)",
+            a.name, b.name);
+  }
 }
 
 // Checks that involve several numbers of a shape.

@@ -168,8 +168,12 @@ Key stiffness() {
                    point_stiffness, "per node in contact", above(0)),
             number({"per_length", &Volume::normal_stiffness, set(&Volume::basis, StiffnessBasis::per_length)},
                    line_stiffness, "per length of line in contact", above(0)),
-            number({"per_area", &Volume::normal_stiffness, set(&Volume::basis, StiffnessBasis::per_area)},
-                   area_stiffness, "per projected area (length times contact diameter)", above(0)),
+            number(
+                {"per_area", &Volume::normal_stiffness, set(&Volume::basis, StiffnessBasis::per_area)},
+                area_stiffness,
+                "per area: of a line its length times its contact diameter, of a body all its faces inside "
+                "the other body, also those along the motion",
+                above(0)),
             number(
                 {"allowed_penetration", &Volume::allowed_penetration}, length,
                 "makes the stiffness automatic, for this largest penetration in statics, and twice this "
@@ -181,7 +185,7 @@ Key stiffness() {
                  {{"point", StiffnessBasis::per_point},
                   {"length", StiffnessBasis::per_length},
                   {"area", StiffnessBasis::per_area}},
-                 "unit of the forces in the table: N per node, N/m of line, N/m² of projected area")},
+                 "unit of the forces in the table: N per node, N/m of line, N/m² of the area of `per_area`")},
            either({"per_point",
                    "per_length",
                    "per_area",

@@ -56,6 +56,8 @@ BodyContact::BodyContact(MPI_Comm comm, const model::Case& c, const LocalMesh& m
     pair.b = p.b;
     pair.force_factor = p.force_factor;
     pair.needs_overlap_check = p.needs_overlap_check;
+    pair.basis = v.basis;
+    pair.lower_counts = v.basis == c.volumes[p.b].basis;
     pair.mass = 1 / (1 / bodies_of_volumes_[p.a].mass + 1 / bodies_of_volumes_[p.b].mass);
     pair.size = boxes_[p.a].extent().maxCoeff();  // a plane is never the slave
     pair.round = std::min(kSmoothing * pair.size, kMostSmoothing);
@@ -190,6 +192,7 @@ void BodyContact::contact_of_edge(const Pair& pair, const PairFrames& at, const 
     const AxisContactPoint point = points.add(law, start, q.surface, z, e.radius, q.weight);
     if (friction.eighths) add_resultant(pair, e.place(q.xi), z, e.radius, point, *friction.eighths);
     if (friction.damping) add_damping_work(pair, e.place(q.xi), z, point, *friction.damping);
+    if (friction.pressed) add_pressed(pair, e.place(q.xi), e.radius, q.surface, *friction.pressed);
     if (n > 0)
       points.add_moving_ends(law, start, q.surface, z, e.radius, point, slope, rates,
                              std::span(moving).first(n));
@@ -221,6 +224,7 @@ BodyContact::Sum BodyContact::contact(const Pair& pair, const PairFrames& at, co
         points.add({pair.law, friction.law}, start, *s, z, p.radius, pair.force_factor * p.weight);
     if (friction.eighths) add_resultant(pair, p.from, z, p.radius, at_point, *friction.eighths);
     if (friction.damping) add_damping_work(pair, p.from, z, at_point, *friction.damping);
+    if (friction.pressed) add_pressed(pair, p.from, p.radius, *s, *friction.pressed);
     if (!friction.points || !(at_point.normal_force > 0)) return;
     const BodyFrictionPoint touching_point{
         0, 0, 0, at_point.weight, at_point.slip, at_point.normal, at_point.friction};

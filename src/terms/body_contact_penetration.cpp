@@ -16,6 +16,10 @@ namespace {
 
 constexpr double kAllowed = 0.01;  // fraction of the size of the smaller volume
 constexpr double kBeyond = 2;      // factor on the penetration of the features, which may be at another place
+// Normals of the two sides of a wall, whose sides make an angle of 45 deg at most. At a sharper edge a point
+// may slide from one side to the other.
+constexpr double kOpposite = -0.7;
+constexpr double kReserve = 2;  // factor on the stiffness that is proposed
 
 }  // namespace
 
@@ -41,6 +45,46 @@ double BodyContact::allowed_overlap(const Pair& pair) const {
   for (const size_t v : {pair.a, pair.b})
     if (const Vec3 e = boxes_[v].extent(); e.allFinite()) size = std::min(size, e.maxCoeff());
   return kAllowed * size;
+}
+
+// The force on a point is directed to the nearest place of the surface. Past the middle of a wall that is on
+// its far side: there the normal reverses while the point is inside, and half the thickness is its depth.
+void BodyContact::add_pressed(const Pair& pair, const Vec3& y, double r, const SurfacePoint& now,
+                              PressedThrough& to) const {
+  if (!(now.distance < r)) return;
+  const Vec3 z = pair.frames.across(y);
+  const auto before = volumes_[pair.b].surface->query(z, r);
+  if (!before || !(before->distance < r) || before->normal.dot(now.normal) > kOpposite) return;
+  if (!(r - before->distance > to.depth)) return;
+  const PairFrames& at = pair.frames;
+  const Vec3 velocity = at.B.R.transpose() * (at.A.velocity(y) - at.B.velocity(z));
+  to = {.depth = r - before->distance,
+        .thickness = before->normal.dot(before->point - now.point),
+        .speed = std::max(-velocity.dot(before->normal), 0.0)};
+}
+
+// With the stiffness times (P + E) / P the potential of the springs at this depth is that of now, P, and the
+// energy E of the motion into the wall. At rest the stiffness times kReserve halves the depth.
+std::optional<advice::BodyPressedThrough> BodyContact::pressed_through(const Pair& pair,
+                                                                       const Kinematics& trial) const {
+  if (!(pair.penetration > 0)) return std::nullopt;
+  PressedThrough pressed;
+  Slipping search;
+  search.pressed = &pressed;
+  contact(pair, frames_of(pair, trial), kSprings, search);
+  if (!(pressed.depth > 0)) return std::nullopt;
+  const double speed = trial.moves() ? pressed.speed : 0;
+  const double potential = pair.potential + (pair.other < 0 ? 0 : pairs_[pair.other].potential);
+  const double energy = 0.5 * pair.mass * speed * speed;
+  return advice::BodyPressedThrough{.volume = names_[pair.a],
+                                    .other = names_[pair.b],
+                                    .depth = pressed.depth,
+                                    .thickness = pressed.thickness,
+                                    .basis = pair.basis,
+                                    .stiffness = pair.law.stiffness,
+                                    .required = kReserve * pair.law.stiffness * (1 + energy / potential),
+                                    .table = pair.law.table != nullptr,
+                                    .both = pair.lower_counts};
 }
 
 // Between two states without overlap a volume may pass through one that no corner or edge meets. A path that

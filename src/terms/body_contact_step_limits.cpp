@@ -244,10 +244,12 @@ bool BodyContact::tunnels(const Pair& pair, const Kinematics& trial) const {
 }
 
 Verdict BodyContact::check_step(const Kinematics& trial) const {
-  for (const Pair& pair : pairs_)
-    if (pair.counted &&
-        (tunnels(pair, trial) || (pair.needs_overlap_check && overlaps_within_step(pair, trial))))
+  for (const Pair& pair : pairs_) {
+    if (!pair.counted) continue;
+    if (const auto pressed = pressed_through(pair, trial)) return {Verdict::Kind::shorter, *pressed};
+    if (tunnels(pair, trial) || (pair.needs_overlap_check && overlaps_within_step(pair, trial)))
       return {Verdict::Kind::shorter, advice::BodyPassesBody{names_[pair.a], names_[pair.b]}};
+  }
   return {};
 }
 

@@ -50,6 +50,7 @@ std::string pulled_through(const PulledThrough& at);
 std::string lines_pass(const NearestPlaces& at);
 std::string lines_start_too_near(const NearestPlaces& at);
 std::string lines_too_soft(const PressedLines& at);
+std::string body_too_soft(const BodyPressedThrough& at);
 
 // Bodies that overlap by `depth` [m]; penetration: that of their corners and edges, m; time in s; slave: the
 // volume whose corners and edges touch, empty: both.

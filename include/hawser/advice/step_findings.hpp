@@ -45,6 +45,16 @@ struct BodyPassesBody {
   std::string volume, other;  // with their bodies
 };
 
+// A body past the middle of another one, from where contact pushes it out on the far side.
+struct BodyPressedThrough {
+  std::string volume, other;        // with their bodies
+  double depth = 0, thickness = 0;  // m; of the other there
+  model::StiffnessBasis basis = model::StiffnessBasis::per_area;
+  double stiffness = 0, required = 0;  // by basis: current value, and one that would hold
+  bool table = false;                  // law by force table
+  bool both = false;                   // the lower stiffness of the two volumes counts
+};
+
 struct FeedsTooFast {
   std::string feeder;  // "end A of line mooring"
 };
@@ -97,7 +107,7 @@ struct PressedLines {
 // monostate: no finding, or another rank has it.
 using StepFinding =
     std::variant<std::monostate, Imbalance, TurnsTooFar, ElementTurnsOver, ImpactNotResolved, ErrorTooLarge,
-                 BeyondContactSearch, LinePassesVolume, BodyPassesBody, FeedsTooFast, TooDeep, PulledThrough,
-                 LinesPass, LinesStartTooNear, PressedLines>;
+                 BeyondContactSearch, LinePassesVolume, BodyPassesBody, BodyPressedThrough, FeedsTooFast,
+                 TooDeep, PulledThrough, LinesPass, LinesStartTooNear, PressedLines>;
 
 }  // namespace hawser::advice

@@ -91,7 +91,8 @@ class BodyContact final : public ForceTerm,
   // statics with friction, also checks the overlap of the volumes.
   void prepare(const Kinematics& from, double h) override;
   void limit_step(const Kinematics& committed, ImpactEvents& to) override;
-  // Refuses a step in which a body passes through another: corners and edges, and on long paths the faces.
+  // Refuses a step in which a body passes through another: corners and edges, and on long paths the faces;
+  // and one in which a point in contact passes the middle of the other body.
   Verdict check_step(const Kinematics& trial) const override;
   void unresolved(const Kinematics& trial, UnresolvedImpacts& to) override;
   void evaluate(const Kinematics& trial, Assembler& assembler) override;
@@ -150,9 +151,11 @@ class BodyContact final : public ForceTerm,
     double significant = 0;
   };
   struct Pair {
-    size_t a = 0, b = 0;                // volumes
-    NormalLaw law;                      // of a's features on the surface of b, per unit of the basis
-    FrictionLaw friction;               // per unit of the basis
+    size_t a = 0, b = 0;   // volumes
+    NormalLaw law;         // of a's features on the surface of b, per unit of the basis
+    FrictionLaw friction;  // per unit of the basis
+    model::StiffnessBasis basis = model::StiffnessBasis::automatic;  // of volume a
+    bool lower_counts = false;          // the law has the lower stiffness of both volumes
     double force_factor = 1, mass = 0;  // factor on the force; effective mass, kg
     double size = 0;                    // m, largest extent of volume a
     double round = 0;                   // m, radius assumed for corners in the tunnelling test
@@ -217,14 +220,22 @@ class BodyContact final : public ForceTerm,
     const PairFrames* end = nullptr;
     double sum = 0;
   };
+  // The deepest point, at the start of the step, of those that pass the middle of the other body in the step.
+  struct PressedThrough {
+    double depth = 0;      // m, at the start of the step; 0: none
+    double thickness = 0;  // m, of the other body there
+    double speed = 0;      // m/s, into it
+  };
   // The law of friction in a step of length h [s], 0 in statics; the contact points go to `points`, their
-  // sums to `eighths`, and the work of the dampers to `damping`, if given.
+  // sums to `eighths`, the work of the dampers to `damping`, and the search for points that pass the middle
+  // of the other body to `pressed`, if given.
   struct Slipping {
     FrictionLaw law;
     double step = 0;
     BodyFrictionPoints* points = nullptr;
     Eighths* eighths = nullptr;
     DampingWork* damping = nullptr;
+    PressedThrough* pressed = nullptr;
   };
   Slipping slipping(const Pair& pair, double h) const {
     return {friction_on_ ? pair.friction : FrictionLaw(), h};
@@ -244,6 +255,9 @@ class BodyContact final : public ForceTerm,
   // Adds half of the work of the damper of the point of a's volume at y, in the frame of the surface at z.
   void add_damping_work(const Pair& pair, const Vec3& y, const Vec3& z, const AxisContactPoint& point,
                         DampingWork& to) const;
+  // Adds the point of a part of radius r at y, in the frame of a's volume, that is `now` in the other body.
+  void add_pressed(const Pair& pair, const Vec3& y, double r, const SurfacePoint& now,
+                   PressedThrough& to) const;
   // Adds a point at z, in the frame of the surface, of a part of radius r at y, in the frame of a's volume.
   void add_resultant(const Pair& pair, const Vec3& y, const Vec3& z, double r, const AxisContactPoint& point,
                      Eighths& to) const;
@@ -280,6 +294,8 @@ class BodyContact final : public ForceTerm,
   double overlap_depth(const Pair& pair, const PairFrames& at) const;
   // m, overlap that is regarded as an error if it exceeds that of corners, edges and balls.
   double allowed_overlap(const Pair& pair) const;
+  // Points that pass the middle of the other body from the start of the step to the trial.
+  std::optional<advice::BodyPressedThrough> pressed_through(const Pair& pair, const Kinematics& trial) const;
   bool overlaps_within_step(const Pair& pair, const Kinematics& trial) const;
   void check_overlap(double time);
 
