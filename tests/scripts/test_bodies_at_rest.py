@@ -40,7 +40,7 @@ output: {every: 0.1}
 SINKING = """hawser: 1
 environment: {water: {density: 1025, depth: 50}, seabed: {depth: 50}}
 bodies:
-  crate: {position: [0, 0, -44], floating: {mass: 10000, inertia: [5000, 5000, 5000], in_water: {volume: 4, height: 2, drag_area: [3, 3, 3]}}}
+  crate: {position: [0, 0, -44], floating: {mass: 10000, inertia: [5000, 5000, 5000], weight: true, in_water: {volume: 4, height: 2, drag_area: [3, 3, 3]}}}
 volumes:
   crate: {shape: {box: {centre: [0, 0, 0], size: [2, 2, 2]}}, body: crate, normal_stiffness: {per_point: 1e7}, relative_damping: 0.3}
 FLOOR

@@ -27,16 +27,16 @@ bodies:
     rotation_deg: [0, {:.13f}, 0]
     floating: {{mass: {}, inertia: [26, 58, 68], weight: true}}
 volumes:
-  floor: {{shape: {{plane: {{point: [0, 0, 0], normal: [{:.15f}, 0, {:.15f}]}}}}, friction: 10}}
+  floor: {{shape: {{plane: {{point: [0, 0, 0], normal: [{:.15f}, 0, {:.15f}]}}}}{}}}
   block:
     shape: {{box: {{centre: [0, 0, 0], size: [1, 0.6, 0.4]}}}}
     body: block
     normal_stiffness: {{per_point: 1e7}}
-    friction: {}
-dynamics: {{duration: 1}}
+{}dynamics: {{duration: 1}}
 )",
                      centre.x(), centre.z(), a * 180 / M_PI, kMass, std::sin(slope), std::cos(slope),
-                     friction);
+                     friction > 0 ? ", friction: 10" : "",
+                     friction > 0 ? fmt::format("    friction: {}\n", friction) : "");
 }
 
 int notes_on_held_bodies(const BodiesRun& r) {

@@ -19,7 +19,8 @@ struct BodiesRun {
   explicit BodiesRun(const std::string& yaml)
       : c(io::read_case_text(yaml, "bodies.yaml")),
         volumes(run::load_volumes(c)),
-        sim(PETSC_COMM_WORLD, c, run::surfaces(volumes), run::skeletons(c, volumes)) {}
+        sim(PETSC_COMM_WORLD, c, run::surfaces(volumes), run::skeletons(c, volumes),
+            run::volume_facets(volumes)) {}
 
   void start() { sim.dynamics().start(sim.state()); }
   // Continues from the present time; calls each(info) after every step.
