@@ -9,9 +9,8 @@
 
 namespace hawser::record {
 
-bool BodiesBelowBed::possible(const model::Case& c) {
-  return c.environment.seabed.present && std::any_of(c.bodies.begin(), c.bodies.end(),
-                                                     [](const model::Body& b) { return b.mass.has_value(); });
+bool BodiesBelowBed::possible(const Subject& s) {
+  return s.model.environment.seabed.present && s.mesh().body_nodes() > 0;
 }
 
 void BodiesBelowBed::output(const Snapshot& s) {
@@ -29,10 +28,11 @@ void BodiesBelowBed::output(const Snapshot& s) {
 std::vector<Warning> BodiesBelowBed::warnings(const std::vector<io::SummaryRow>&) {
   std::vector<Below> here;
   for (const auto& [body, below] : deepest_) here.push_back(below);
+  const std::vector<Below> all = gather_all(subject_.comm(), here);
   std::vector<Warning> out;
-  for (const Below& b : gather_all(subject_.comm(), here))
+  if (rank_of(subject_.comm()) != 0) return out;
+  for (const Below& b : all)
     out.push_back({advice::below_bed(subject_.model.bodies[b.body].name, b.depth), Warning::kWholeRun});
-  if (rank_of(subject_.comm()) != 0) out.clear();
   return out;
 }
 

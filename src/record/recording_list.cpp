@@ -62,7 +62,7 @@ Recordings recordings(const Subject& s, NodeFields& fields) {
   if (c.output.statistics) add(std::make_unique<Statistics>(s));
   add(std::make_unique<WaterErrors>(c, s.system));
   add(std::make_unique<PipeStrength>(s));
-  if (BodiesBelowBed::possible(c)) add(std::make_unique<BodiesBelowBed>(s));
+  if (BodiesBelowBed::possible(s)) add(std::make_unique<BodiesBelowBed>(s));
   if (can_touch(s)) add(std::make_unique<ContactPoints>(s));
   if (ClashReport::enabled(s)) add(std::make_unique<ClashReport>(s));
   if (!c.supports.empty()) add(std::make_unique<SupportLog>(s));

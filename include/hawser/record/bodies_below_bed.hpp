@@ -15,7 +15,7 @@ class BodiesBelowBed : public Recording {
   explicit BodiesBelowBed(const Subject& subject) : subject_(subject) {}
 
   // True if the case has a seabed and floating bodies.
-  static bool possible(const model::Case& c);
+  static bool possible(const Subject& s);
 
   void start(const Snapshot& s) override { output(s); }
   void output(const Snapshot& s) override;
