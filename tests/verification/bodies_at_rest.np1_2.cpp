@@ -70,7 +70,7 @@ TEST(BodiesAtRest, OnAPlaneAndByFriction) {
 // A block that would slide or turn onto its face is held where it starts; the note has the remedy.
 TEST(BodiesAtRest, HeldWhereItWouldMove) {
   for (const auto& [slope, tilt, friction] :
-       {std::tuple(0.3, 0.0, 0.0), std::tuple(0.5, 0.0, 0.4), std::tuple(0.0, -0.03, 0.4)}) {
+       {std::tuple(0.3, 0.0, 0.0), std::tuple(0.5, 0.0, 0.4), std::tuple(0.0, 0.03, 0.4)}) {
     BodiesRun r(block(slope, tilt, friction));
     const RigidPose start = r.poses(r.sim.state().at_rest())[0];
     r.sim.solve_statics();
