@@ -6,6 +6,7 @@
 #include "hawser/advice/limits.hpp"
 #include "hawser/base/mpi.hpp"
 #include "hawser/model/bed.hpp"
+#include "hawser/model/body_motion.hpp"
 
 namespace hawser::record {
 
@@ -18,8 +19,12 @@ void BodiesBelowBed::output(const Snapshot& s) {
   for (int n = 0; n < mesh.owned; ++n) {
     const int body = mesh.mesh->node(mesh.global[n]).body;
     if (body < 0) continue;
-    const double depth = -model::height_above_bed(subject_.model.environment.seabed, s.at.x[n]);
-    if (depth <= 0) continue;
+    const model::Seabed& bed = subject_.model.environment.seabed;
+    const model::Body& b = subject_.model.bodies[body];
+    const double depth = -model::height_above_bed(bed, s.at.x[n]);
+    // An anchor or a pile starts below it.
+    if (depth <= 0 || model::height_above_bed(bed, model::pose_at_start(b).to_space(b.mass->centre)) < 0)
+      continue;
     Below& deepest = deepest_[body];
     deepest = {body, std::max(deepest.depth, depth)};
   }
@@ -28,7 +33,8 @@ void BodiesBelowBed::output(const Snapshot& s) {
 std::vector<Warning> BodiesBelowBed::warnings(const std::vector<io::SummaryRow>&) {
   std::vector<Below> here;
   for (const auto& [body, below] : deepest_) here.push_back(below);
-  const std::vector<Below> all = gather_all(subject_.comm(), here);
+  std::vector<Below> all = gather_all(subject_.comm(), here);
+  std::ranges::sort(all, {}, &Below::body);
   std::vector<Warning> out;
   if (rank_of(subject_.comm()) != 0) return out;
   for (const Below& b : all)

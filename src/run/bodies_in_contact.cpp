@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "hawser/advice/start_contact.hpp"
@@ -125,14 +126,27 @@ std::vector<RestsOnBody> bodies_starting_in_contact(const model::Case& c,
 }
 
 bool have_stayed(const model::Case& c, const std::vector<RestsOnBody>& resting,
-                 const std::vector<RigidPose>& start, const std::vector<RigidPose>& equilibrium) {
+                 const std::vector<TouchingVolumes>& touching, const std::vector<RigidPose>& start,
+                 const std::vector<RigidPose>& equilibrium) {
   constexpr double kTurn = 0.01;  // rad; more is the settlement of a body that does not stand upright
-  return std::all_of(resting.begin(), resting.end(), [&](const RestsOnBody& on) {
+  std::set<std::pair<int, int>> in_contact;
+  for (const TouchingVolumes& t : touching) {
+    const int a = c.body_index(c.volumes[t.volume].body);
+    const int b = c.body_index(c.volumes[t.other_volume].body);
+    in_contact.insert({{a, b}, {b, a}});
+  }
+  std::set<int> all;
+  std::set<int> at_rest;
+  for (const RestsOnBody& on : resting) {
+    all.insert(on.body);
+    if (!in_contact.contains({on.body, on.other})) continue;
+    at_rest.insert(on.body);
     const RelativePose from = relative_pose(c, on, start);
     const RelativePose to = relative_pose(c, on, equilibrium);
-    return (to.place - from.place).norm() <= significant(*c.bodies[on.body].mass) &&
-           from.turned.angularDistance(to.turned) <= kTurn;
-  });
+    if ((to.place - from.place).norm() > significant(*c.bodies[on.body].mass)) return false;
+    if (from.turned.angularDistance(to.turned) > kTurn) return false;
+  }
+  return at_rest == all;
 }
 
 std::vector<TouchingVolumes> touching_volumes(const System& system, const Kinematics& state) {
@@ -147,7 +161,7 @@ namespace {
 std::vector<std::string> bodies_off_volumes(const model::Case& c, const PairFriction& friction,
                                             const std::map<int, RestsOn>& rests,
                                             const std::vector<TouchingVolumes>& at_start) {
-  std::vector<std::string> out;
+  std::set<std::string> out;  // two volumes may touch each other in two pairs
   for (const TouchingVolumes& t : at_start) {
     const auto pair = friction.find(std::minmax(t.volume, t.other_volume));
     if (pair == friction.end()) continue;
@@ -157,11 +171,10 @@ std::vector<std::string> bodies_off_volumes(const model::Case& c, const PairFric
       if (!c.floats(body) || rests.contains(body)) continue;
       const model::BodyMass& m = *c.bodies[body].mass;
       if (m.weight && !m.hull && !m.hydrodynamics && !(m.spring_stiffness().z() > 0))
-        out.push_back(
-            advice::left_without_friction(c.bodies[body].name, c.volumes[other].name, pair->second));
+        out.insert(advice::left_without_friction(c.bodies[body].name, c.volumes[other].name, pair->second));
     }
   }
-  return out;
+  return {out.begin(), out.end()};
 }
 
 }  // namespace

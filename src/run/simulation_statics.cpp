@@ -78,7 +78,7 @@ StaticsReport Simulation::solve_statics(std::function<void(const StaticsReport&)
 }
 
 // Bodies that start in contact and that nothing else supports come to rest there. If they do not stay where
-// they are, as on a slope without friction, statics holds them without their weight.
+// they are, as on a slope without friction, statics continues without this: it holds those without loads.
 std::optional<StaticsReport> Simulation::rest_in_contact(StaticsSettings settings) {
   const std::vector<RestsOnBody> on = bodies_starting_in_contact(case_, support_, *system_, state_.at_rest());
   if (on.empty()) return std::nullopt;
@@ -86,11 +86,12 @@ std::optional<StaticsReport> Simulation::rest_in_contact(StaticsSettings setting
   const std::vector<RigidPose> from = poses_of(*system_, *bodies_, state_.at_rest());
   resting_.assign(case_.bodies.size(), false);
   for (const RestsOnBody& r : on) resting_[static_cast<size_t>(r.body)] = true;
-  enable_friction_in_statics(true);
+  friction_in_statics_ = true;
   settings.friction = true;
   try {
     StaticsReport report = find_restrained_equilibrium(settings);
-    if (have_stayed(case_, on, from, poses_of(*system_, *bodies_, state_.at_rest()))) return report;
+    const std::vector<TouchingVolumes> touching = touching_volumes(*system_, state_.at_rest());
+    if (have_stayed(case_, on, touching, from, poses_of(*system_, *bodies_, state_.at_rest()))) return report;
   } catch (const SolveError&) {
     // Without friction it may be possible.
   }

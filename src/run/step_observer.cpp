@@ -81,7 +81,7 @@ StepObserver::Requests StepObserver::record_step(const StepInfo& info, const Due
   if (due.output || due.checkpoint || ++steps_since_requests_ == kStepsBetweenRequests) {
     steps_since_requests_ = 0;
     requests[0] = stop_requested;
-    requests[1] = rank_ == 0 && checkpoints_.due();
+    requests[1] = rank_ == 0 && times_.checkpoint_every <= 0 && checkpoints_.due();
     all_reduce(comm_, MPI_MAX, requests);
   }
   if (due.output) {

@@ -16,9 +16,9 @@ namespace {
 
 constexpr double kAllowed = 0.01;  // fraction of the size of the smaller volume
 constexpr double kBeyond = 2;      // factor on the penetration of the features, which may be at another place
-// Normals of the two sides of a wall, whose sides make an angle of 45 deg at most. At a sharper edge a point
-// may slide from one side to the other.
-constexpr double kOpposite = -0.7;
+// Normals of the two sides of a wall, whose sides make an angle of 18 deg at most. At edges that are blunter,
+// as a bow, a point may slide from one side to the other.
+constexpr double kOpposite = -0.95;
 constexpr double kReserve = 2;  // factor on the stiffness that is proposed
 
 }  // namespace
@@ -55,11 +55,13 @@ void BodyContact::add_pressed(const Pair& pair, const Vec3& y, double r, const S
   const Vec3 z = pair.frames.across(y);
   const auto before = volumes_[pair.b].surface->query(z, r);
   if (!before || !(before->distance < r) || before->normal.dot(now.normal) > kOpposite) return;
-  if (!(r - before->distance > to.depth)) return;
+  const double thickness = before->normal.dot(before->point - now.point);
+  // The two sides of a slot have opposite normals too, but then the space between them is outside.
+  if (!(thickness > 0) || !(r - before->distance > to.depth)) return;
   const PairFrames& at = pair.frames;
   const Vec3 velocity = at.B.R.transpose() * (at.A.velocity(y) - at.B.velocity(z));
   to = {.depth = r - before->distance,
-        .thickness = before->normal.dot(before->point - now.point),
+        .thickness = thickness,
         .speed = std::max(-velocity.dot(before->normal), 0.0)};
 }
 

@@ -30,13 +30,15 @@ bool floats_at_rest(const model::Case& c, const model::BodyMass& m) {
   return carried && (!flows || springs.head<2>().minCoeff() > 0);
 }
 
-// True if springs support the body at rest: under its weight, and in water, wind and current, whose forces
-// turn it, too.
-bool rests_on_springs(const model::BodyMass& m) {
+// True if springs support the body at rest: under its weight, and in water, wind, current and contact, whose
+// forces turn it, too.
+bool rests_on_springs(const model::Case& c, const model::Body& body) {
+  const model::BodyMass& m = *body.mass;
   const Vec3 springs = m.spring_stiffness();
   const bool in_flow = m.wind || m.current || m.in_water || m.hull || !m.members.empty();
   const bool against_turning = !m.stiffness_matrix.isZero() || m.turning_stiffness.minCoeff() > 0;
-  return against_turning && (!m.weight || springs.z() > 0) && (!in_flow || springs.head<2>().minCoeff() > 0);
+  const bool pushed = in_flow || model::contact_of_body(c, body.name) != model::ContactOfBody::none;
+  return against_turning && (!m.weight || springs.z() > 0) && (!pushed || springs.head<2>().minCoeff() > 0);
 }
 
 }  // namespace
@@ -47,7 +49,7 @@ StaticRest static_rest(const model::Case& c, int body) {
   const bool positioned = m.positioning && m.positioning->proportional.head<2>().minCoeff() > 0;
   StaticRest out;
   out.supported = m.hydrodynamics || held_in_flow || positioned || in_lines_or_links(c, body) ||
-                  floats_at_rest(c, m) || rests_on_springs(m);
+                  floats_at_rest(c, m) || rests_on_springs(c, c.bodies[body]);
   out.loaded = !m.loads.empty();
   out.by_friction = model::contact_of_body(c, c.bodies[body].name) == model::ContactOfBody::with_friction;
   return out;

@@ -23,9 +23,11 @@ struct RestsOnBody {
 std::vector<RestsOnBody> bodies_starting_in_contact(const model::Case& c,
                                                     const std::vector<StaticRest>& support,
                                                     const System& system, const Kinematics& start);
-// True if none of them has turned or moved significantly against what it rests on. Collective.
+// True if each of them still touches what it started on and has neither turned nor moved significantly
+// against it. touching: volumes in equilibrium; poses of all bodies.
 bool have_stayed(const model::Case& c, const std::vector<RestsOnBody>& resting,
-                 const std::vector<RigidPose>& start, const std::vector<RigidPose>& equilibrium);
+                 const std::vector<TouchingVolumes>& touching, const std::vector<RigidPose>& start,
+                 const std::vector<RigidPose>& equilibrium);
 // Poses of the bodies of the case in a state, on all ranks. Collective.
 std::vector<RigidPose> poses_of(const System& system, const Bodies& bodies, const Kinematics& state);
 // Volumes of bodies that touch each other. The same on all ranks. Collective.

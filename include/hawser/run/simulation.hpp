@@ -79,7 +79,10 @@ class Simulation {
   // Switches contact of lines with the volumes of an action.
   void enable_contact(const model::Action& action);
   // Overrides, for the coming stages, whether all friction acts in statics; none: as in the case.
-  void enable_friction_in_statics(bool on) { friction_in_statics_ = on; }
+  void enable_friction_in_statics(bool on) {
+    friction_in_statics_ = on;
+    resting_.clear();
+  }
   // True if friction of contact with volumes and lines acts in statics; for that of the bed see lays_lines().
   bool contact_friction_in_statics() const {
     return friction_in_statics_.value_or(case_.statics.contact_friction.value_or(false));
