@@ -269,7 +269,7 @@ class Damaged(Attack):
         self.assertGreater(len(names), 40)
         few = not os.environ.get("HAWSER_FULL")
         turn = refused = 0
-        for name in names:
+        for name in names[:: 3 if few else 1]:
             with h5py.File(self.path) as file:
                 harms = [(what, harm) for what, harm in self.harms(file[name])]
             for what, harm in harms:
@@ -279,8 +279,8 @@ class Damaged(Attack):
                     if harm is not None:
                         file[name] = harm
                         file[name].attrs.update(attributes)
-                # All tools open a file in the same way. By default every twentieth damaged file is opened by one
-                # of them in turn.
+                # All tools open a file in the same way. By default a third of the data sets is damaged, and every
+                # twentieth damaged file is opened by one of them in turn.
                 try:
                     Results(self.path)
                     turn += 1
@@ -292,7 +292,7 @@ class Damaged(Attack):
                     refused += 1
                     self.assertNotIn("\n", str(refusal))
                 self.path.write_bytes(sound)
-        self.assertGreater(refused, 150)
+        self.assertGreater(refused, 50 if few else 150)
 
     def test_files(self):
         sound = self.path.read_bytes()

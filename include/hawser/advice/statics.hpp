@@ -34,8 +34,8 @@ std::string held_without_weight(const std::string& body, bool with_friction);
 // excludes.
 std::string moved_without_friction(const std::string& body, double distance, const std::string& volume,
                                    double friction);
-// A body that statics lifts or moves off a volume on which it starts, with this coefficient of friction, which
-// it excludes.
+// A body that statics lifts or moves off a volume on which it starts, with this coefficient of friction,
+// which it excludes.
 std::string left_without_friction(const std::string& body, const std::string& volume, double friction);
 // Unstable equilibria that statics left; number of negative eigenvalues of the one found.
 std::string unstable_equilibria_left(int equilibria);
