@@ -159,9 +159,9 @@ std::string beyond_pipe_formulas(double pulled) {
 
 std::string below_bed(const std::string& body, double depth) {
   return fmt::format(
-      "body {} sank to {:.3g} m below the seabed, which carries lines only: add a volume with 'shape: "
-      "{{plane: "
-      "{{point: ..., normal: ...}}}}' at the seabed, and a volume of the body with a stiffness",
+      "body {} sank to {:.3g} m below the seabed, which carries lines only: add a volume with "
+      "'shape: {{plane: {{point: ..., normal: ...}}}}' at the seabed, and a volume of the body with a "
+      "stiffness",
       body, depth);
 }
 

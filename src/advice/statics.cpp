@@ -55,10 +55,8 @@ std::string lie_on_bed(const std::vector<std::string>& lines, const std::vector<
 std::string held_without_weight(const std::string& body, bool with_friction) {
   return fmt::format(
       "bodies.{}: statics holds it in its initial position and without its weight, since it does not start "
-      "at "
-      "rest in contact{}; as dynamics begins it falls onto its contact and may bounce and slide; {}set "
-      "'statics: "
-      "{{contact_friction: true}}' to let it come to rest in contact",
+      "at rest in contact{}; as dynamics begins it falls onto its contact and may bounce and slide; {}set "
+      "'statics: {{contact_friction: true}}' to let it come to rest in contact",
       body, with_friction ? "" : ", and nothing holds it along the volumes that it can touch",
       with_friction ? "" : "give the volumes 'friction' and ");
 }

@@ -5,6 +5,9 @@
 #include <algorithm>
 
 namespace hawser::model {
+
+bool is_ball(const Volume& v) { return v.shape && std::holds_alternative<SphereShape>(*v.shape); }
+
 namespace {
 
 bool is_bar(const Volume& v) {
@@ -17,17 +20,15 @@ constexpr int kNever = 9;
 int rank(const Volume& v) {
   if (v.basis == StiffnessBasis::automatic) return kNever;
   const bool bar = is_bar(v);
-  const bool ball = v.shape && std::holds_alternative<SphereShape>(*v.shape);
   if (v.is_plane()) return kNever;
-  if (ball) return v.basis == StiffnessBasis::per_point ? 0 : kNever;
+  if (is_ball(v)) return v.basis == StiffnessBasis::per_point ? 0 : kNever;
   if (bar && v.basis != StiffnessBasis::per_area) return 0;
   return v.basis == StiffnessBasis::per_point ? 1 : v.basis == StiffnessBasis::per_length ? 2 : 3;
 }
 
 bool needs_overlap_check(const Volume& v) {
   const bool bar = is_bar(v);
-  const bool ball = v.shape && std::holds_alternative<SphereShape>(*v.shape);
-  return v.basis == StiffnessBasis::per_point ? !ball : v.basis == StiffnessBasis::per_length && !bar;
+  return v.basis == StiffnessBasis::per_point ? !is_ball(v) : v.basis == StiffnessBasis::per_length && !bar;
 }
 
 // Lowest coefficients of a volume, at rest and sliding; without `kinetic` they are equal.

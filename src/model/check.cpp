@@ -202,7 +202,7 @@ void check_floating(const Case& c, const Issues& issue) {
     const Volume& a = c.volumes[p.a];
     const Volume& b = c.volumes[p.b];
     const auto given_to_ball = [](const Volume& v) {
-      return v.shape && std::holds_alternative<SphereShape>(*v.shape) && v.basis != StiffnessBasis::automatic;
+      return is_ball(v) && v.basis != StiffnessBasis::automatic;
     };
     if (given_to_ball(a) || given_to_ball(b))
       issue("volumes." + (given_to_ball(a) ? a : b).name + ".normal_stiffness",

@@ -25,14 +25,18 @@ void BodiesBelowBed::output(const Snapshot& s) {
     // An anchor or a pile starts below it.
     if (depth <= 0 || model::height_above_bed(bed, model::pose_at_start(b).to_space(b.mass->centre)) < 0)
       continue;
-    Below& deepest = deepest_[body];
-    deepest = {body, std::max(deepest.depth, depth)};
+    double& deepest = deepest_[body];
+    deepest = std::max(deepest, depth);
   }
 }
 
 std::vector<Warning> BodiesBelowBed::warnings(const std::vector<io::SummaryRow>&) {
+  struct Below {
+    int body;
+    double depth;
+  };
   std::vector<Below> here;
-  for (const auto& [body, below] : deepest_) here.push_back(below);
+  for (const auto& [body, depth] : deepest_) here.push_back({body, depth});
   std::vector<Below> all = gather_all(subject_.comm(), here);
   std::ranges::sort(all, {}, &Below::body);
   std::vector<Warning> out;

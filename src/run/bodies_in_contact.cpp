@@ -3,6 +3,7 @@
 #include "hawser/run/bodies_in_contact.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <set>
@@ -80,6 +81,13 @@ double significant(const model::BodyMass& m) {
   return std::min(kMost, kOfGyration * std::sqrt(0.5 * m.inertia.sum() / m.mass));
 }
 
+// The bodies of two volumes in contact, each as the one that rests on the other.
+std::array<RestsOnBody, 2> both_ways(const model::Case& c, const TouchingVolumes& t) {
+  const int a = c.body_index(c.volumes[t.volume].body);
+  const int b = c.body_index(c.volumes[t.other_volume].body);
+  return {{{a, b}, {b, a}}};
+}
+
 // Position [m] of the centre of mass and rotation of a body in the frame of another one (-1: in space).
 struct RelativePose {
   Vec3 place = Vec3::Zero();
@@ -113,9 +121,7 @@ std::vector<RestsOnBody> bodies_starting_in_contact(const model::Case& c,
   std::vector<RestsOnBody> out;
   const LocalMesh& mesh = system.mesh();
   for (const TouchingVolumes& t : touching_volumes(system, start)) {
-    const int a = c.body_index(c.volumes[t.volume].body);
-    const int b = c.body_index(c.volumes[t.other_volume].body);
-    for (const RestsOnBody& on : {RestsOnBody{a, b}, RestsOnBody{b, a}}) {
+    for (const RestsOnBody& on : both_ways(c, t)) {
       if (!c.floats(on.body) || !mesh.owns_node(mesh.mesh->body_node(on.body))) continue;
       const model::BodyMass& m = *c.bodies[on.body].mass;
       if ((m.weight || !m.loads.empty()) && !support[static_cast<size_t>(on.body)].supported)
@@ -129,17 +135,14 @@ bool have_stayed(const model::Case& c, const std::vector<RestsOnBody>& resting,
                  const std::vector<TouchingVolumes>& touching, const std::vector<RigidPose>& start,
                  const std::vector<RigidPose>& equilibrium) {
   constexpr double kTurn = 0.01;  // rad; more is the settlement of a body that does not stand upright
-  std::set<std::pair<int, int>> in_contact;
-  for (const TouchingVolumes& t : touching) {
-    const int a = c.body_index(c.volumes[t.volume].body);
-    const int b = c.body_index(c.volumes[t.other_volume].body);
-    in_contact.insert({{a, b}, {b, a}});
-  }
+  std::set<RestsOnBody> in_contact;
+  for (const TouchingVolumes& t : touching)
+    for (const RestsOnBody& on : both_ways(c, t)) in_contact.insert(on);
   std::set<int> all;
   std::set<int> at_rest;
   for (const RestsOnBody& on : resting) {
     all.insert(on.body);
-    if (!in_contact.contains({on.body, on.other})) continue;
+    if (!in_contact.contains(on)) continue;
     at_rest.insert(on.body);
     const RelativePose from = relative_pose(c, on, start);
     const RelativePose to = relative_pose(c, on, equilibrium);

@@ -77,8 +77,8 @@ StaticsReport Simulation::solve_statics(std::function<void(const StaticsReport&)
   return report;
 }
 
-// Bodies that start in contact and that nothing else supports come to rest there. If they do not stay where
-// they are, as on a slope without friction, statics continues without this: it holds those without loads.
+// Bodies that start in contact and that nothing else supports come to rest there. No result if one of them
+// does not stay where it is, for example on a slope without friction; the state is then that of the start.
 std::optional<StaticsReport> Simulation::rest_in_contact(StaticsSettings settings) {
   const std::vector<RestsOnBody> on = bodies_starting_in_contact(case_, support_, *system_, state_.at_rest());
   if (on.empty()) return std::nullopt;
@@ -147,7 +147,8 @@ StaticsReport Simulation::find_restrained_equilibrium(const StaticsSettings& set
   const std::vector<RestrainedInStatics*> restrained = system_->with<RestrainedInStatics>();
   const std::vector<Vec3> v = state_.v;  // floating bodies may have initial velocities
   const std::vector<Vec3> w = state_.w;
-  for (RestrainedInStatics* t : restrained) t->begin_statics(bodies_with_equilibrium());
+  const std::vector<bool> computed = bodies_with_equilibrium();
+  for (RestrainedInStatics* t : restrained) t->begin_statics(computed);
   StaticsReport report = find_equilibrium(*system_, settings, state_);
   if (lays_lines()) solve_with_contact_friction(settings, report);
   for (HasFriction* t : system_->with<HasFriction>()) t->enable_friction(true);

@@ -16,8 +16,8 @@ namespace {
 
 constexpr double kAllowed = 0.01;  // fraction of the size of the smaller volume
 constexpr double kBeyond = 2;      // factor on the penetration of the features, which may be at another place
-// Normals of the two sides of a wall, whose sides make an angle of 18 deg at most. At edges that are blunter,
-// as a bow, a point may slide from one side to the other.
+// Cosine between the normals of the two sides of a wall, which make an angle of at most 18 deg with each
+// other. At a blunter edge, such as a bow, a point may slide from one side to the other.
 constexpr double kOpposite = -0.95;
 constexpr double kReserve = 2;  // factor on the stiffness that is proposed
 

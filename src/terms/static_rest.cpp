@@ -32,12 +32,11 @@ bool floats_at_rest(const model::Case& c, const model::BodyMass& m) {
 
 // True if springs support the body at rest: under its weight, and in water, wind, current and contact, whose
 // forces turn it, too.
-bool rests_on_springs(const model::Case& c, const model::Body& body) {
-  const model::BodyMass& m = *body.mass;
+bool rests_on_springs(const model::BodyMass& m, model::ContactOfBody contact) {
   const Vec3 springs = m.spring_stiffness();
   const bool in_flow = m.wind || m.current || m.in_water || m.hull || !m.members.empty();
   const bool against_turning = !m.stiffness_matrix.isZero() || m.turning_stiffness.minCoeff() > 0;
-  const bool pushed = in_flow || model::contact_of_body(c, body.name) != model::ContactOfBody::none;
+  const bool pushed = in_flow || contact != model::ContactOfBody::none;
   return against_turning && (!m.weight || springs.z() > 0) && (!pushed || springs.head<2>().minCoeff() > 0);
 }
 
@@ -47,11 +46,12 @@ StaticRest static_rest(const model::Case& c, int body) {
   const model::BodyMass& m = *c.bodies[body].mass;
   const bool held_in_flow = (m.wind || m.current) && m.spring_stiffness().head<2>().minCoeff() > 0;
   const bool positioned = m.positioning && m.positioning->proportional.head<2>().minCoeff() > 0;
+  const model::ContactOfBody contact = model::contact_of_body(c, c.bodies[body].name);
   StaticRest out;
   out.supported = m.hydrodynamics || held_in_flow || positioned || in_lines_or_links(c, body) ||
-                  floats_at_rest(c, m) || rests_on_springs(c, c.bodies[body]);
+                  floats_at_rest(c, m) || rests_on_springs(m, contact);
   out.loaded = !m.loads.empty();
-  out.by_friction = model::contact_of_body(c, c.bodies[body].name) == model::ContactOfBody::with_friction;
+  out.by_friction = contact == model::ContactOfBody::with_friction;
   return out;
 }
 

@@ -27,6 +27,8 @@ struct BodyPair {
 // of `a`; its blend speed is that of `b` if only `b` has kinetic coefficients.
 std::vector<BodyPair> body_pairs(const Case& c);
 
+bool is_ball(const Volume& v);  // a sphere
+
 // Contact of the volumes of a body with those of others; with_friction: friction acts in at least one pair.
 enum class ContactOfBody { none, frictionless, with_friction };
 ContactOfBody contact_of_body(const Case& c, const std::string& body);

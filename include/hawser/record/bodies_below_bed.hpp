@@ -22,14 +22,10 @@ class BodiesBelowBed : public Recording {
   std::vector<Warning> warnings(const std::vector<io::SummaryRow>& summary) override;
 
  private:
-  // Depth [m] of a centre of mass below the bed.
-  struct Below {
-    int body = 0;  // of the case
-    double depth = 0;
-  };
-
   const Subject& subject_;
-  std::map<int, Below> deepest_;  // by body, for those of this rank that have been below the bed
+  // Largest depth [m] of the centre of mass below the bed, by body of the case, for those of this rank that
+  // have been there.
+  std::map<int, double> deepest_;
 };
 
 }  // namespace hawser::record

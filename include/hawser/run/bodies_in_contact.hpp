@@ -17,14 +17,16 @@ namespace hawser::run {
 // A body that rests on another one (-1: on volumes fixed in space); indices of the case.
 struct RestsOnBody {
   int body = 0, other = -1;
+  auto operator<=>(const RestsOnBody&) const = default;
 };
 // Bodies with weight or loads that start in contact and that nothing else supports in statics. support: by
 // body of the case, for those of this rank. The same on all ranks. Collective.
 std::vector<RestsOnBody> bodies_starting_in_contact(const model::Case& c,
                                                     const std::vector<StaticRest>& support,
                                                     const System& system, const Kinematics& start);
-// True if each of them still touches what it started on and has neither turned nor moved significantly
-// against it. touching: volumes in equilibrium; poses of all bodies.
+// True if each of these bodies still touches a body on which it started, and has neither turned nor moved
+// significantly relative to those that it touches. touching: volumes in contact in the equilibrium; start,
+// equilibrium: poses of all bodies.
 bool have_stayed(const model::Case& c, const std::vector<RestsOnBody>& resting,
                  const std::vector<TouchingVolumes>& touching, const std::vector<RigidPose>& start,
                  const std::vector<RigidPose>& equilibrium);
