@@ -10,6 +10,7 @@
 
 #include "hawser/advice/steps.hpp"
 #include "hawser/base/count_of.hpp"
+#include "hawser/math/degree.hpp"
 #include "hawser/model/body_pairs.hpp"
 #include "hawser/model/notes.hpp"
 
@@ -74,6 +75,13 @@ std::string moved_without_friction(const std::string& body, double distance, con
       "bodies.{}: statics moves it by {:.3g} m along volume {}, on which it rests, without their friction of "
       "{:.3g}; set 'statics: {{contact_friction: true}}' if friction holds it",
       body, distance, volume, friction);
+}
+
+std::string toppled_in_statics(const std::string& body, double angle, const std::string& volume) {
+  return fmt::format(
+      "bodies.{}: it does not rest in its initial position: statics topples or rolls it by {:.3g} degrees on "
+      "volume {}; check 'position', 'rotation_deg' and its centre of mass",
+      body, angle / kDegree, volume);
 }
 
 std::string unstable_equilibria_left(int equilibria) {

@@ -62,18 +62,6 @@ std::map<int, RestsOn> contacts_with_friction(const model::Case& c, const PairFr
   return out;
 }
 
-// Displacement [m] of the body's centre of mass relative to `other` (-1: fixed in space), without its part
-// along the force of contact, which is normal to the surface.
-double along_surface(const model::Case& c, int body, int other, const Vec3& force,
-                     const std::vector<RigidPose>& poses) {
-  const Vec3& centre = c.bodies[body].mass->centre;
-  Vec3 from = model::pose_at_start(c.bodies[body]).to_space(centre);
-  if (other >= 0) from = poses[other].to_space(model::pose_at_start(c.bodies[other]).to_body(from));
-  const Vec3 moved = poses[body].to_space(centre) - from;
-  const Vec3 normal = force.normalized();
-  return (moved - normal.dot(moved) * normal).norm();
-}
-
 // Smallest displacement that is reported, m: a part of the radius of gyration.
 double significant(const model::BodyMass& m) {
   constexpr double kMost = 0.1;  // m
@@ -100,6 +88,24 @@ RelativePose relative_pose(const model::Case& c, const RestsOnBody& on, const st
   if (on.other < 0) return {centre, body.rotation};
   const RigidPose& other = poses[on.other];
   return {other.to_body(centre), other.rotation.conjugate() * body.rotation};
+}
+
+// Displacement of a body relative to the one that it rests on: m, without its part along `force` [N, on the
+// body], which is normal to the surface; and its rotation, rad.
+struct MovedOnSurface {
+  double along = 0, turned = 0;
+};
+
+MovedOnSurface moved_on_surface(const model::Case& c, const RestsOnBody& on, const Vec3& force,
+                                const std::vector<RigidPose>& equilibrium) {
+  std::vector<RigidPose> start;
+  for (const model::Body& b : c.bodies) start.push_back(model::pose_at_start(b));
+  const RelativePose from = relative_pose(c, on, start);
+  const RelativePose to = relative_pose(c, on, equilibrium);
+  const Vec3 moved = to.place - from.place;
+  const Vec3 out = on.other < 0 ? force : Vec3(equilibrium[on.other].rotation.conjugate() * force);
+  const Vec3 normal = out.normalized();
+  return {(moved - normal.dot(moved) * normal).norm(), from.turned.angularDistance(to.turned)};
 }
 
 }  // namespace
@@ -184,8 +190,10 @@ std::vector<std::string> bodies_off_volumes(const model::Case& c, const PairFric
 
 std::vector<std::string> bodies_moved_by_statics(const model::Case& c, const System& system,
                                                  const Bodies& bodies, const Kinematics& equilibrium,
-                                                 const std::vector<TouchingVolumes>& at_start) {
-  constexpr double kRests = 0.1;  // part of the weight that contact carries; less is that of a fender
+                                                 const std::vector<TouchingVolumes>& at_start,
+                                                 bool friction_in_statics) {
+  constexpr double kRests = 0.1;    // part of the weight that contact carries; less is that of a fender
+  constexpr double kTopples = 0.5;  // rad; less is the settlement of a body that does not start at rest
   const PairFriction friction = pairs_with_friction(model::body_pairs(c));
   if (friction.empty()) return {};
   ContactResultants local;
@@ -193,14 +201,18 @@ std::vector<std::string> bodies_moved_by_statics(const model::Case& c, const Sys
   const ContactResultants all = gather_all(system.comm(), local);
   const std::vector<RigidPose> poses = poses_of(system, bodies, equilibrium);
   const std::map<int, RestsOn> rests = contacts_with_friction(c, friction, all);
-  std::vector<std::string> out = bodies_off_volumes(c, friction, rests, at_start);
+  std::vector<std::string> out;
+  if (!friction_in_statics) out = bodies_off_volumes(c, friction, rests, at_start);
   for (const auto& [body, on] : rests) {
     const model::BodyMass& m = *c.bodies[body].mass;
     if (!m.weight || !(on.force.z() > kRests * m.mass * c.environment.gravity)) continue;
     const model::Volume& volume = c.volumes[on.volume];
-    const double moved = along_surface(c, body, c.body_index(volume.body), on.force, poses);
-    if (moved > significant(m))
-      out.push_back(advice::moved_without_friction(c.bodies[body].name, moved, volume.name, on.friction));
+    const MovedOnSurface moved = moved_on_surface(c, {body, c.body_index(volume.body)}, on.force, poses);
+    if (moved.turned > kTopples)
+      out.push_back(advice::toppled_in_statics(c.bodies[body].name, moved.turned, volume.name));
+    else if (moved.along > significant(m) && !friction_in_statics)
+      out.push_back(
+          advice::moved_without_friction(c.bodies[body].name, moved.along, volume.name, on.friction));
   }
   return out;
 }

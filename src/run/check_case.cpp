@@ -99,10 +99,9 @@ TrialRun print_trial(Simulation& sim, const model::Case& c, double budget) {
         fmt::print("warning: {}\n", w);
       for (const std::string& w : platforms_tilted(comm, c, sim.bodies(), state))
         fmt::print("warning: {}\n", w);
-      if (!sim.contact_friction_in_statics())
-        for (const std::string& note :
-             bodies_moved_by_statics(c, sim.system(), sim.bodies(), state, at_start))
-          fmt::print("note: {}\n", note);
+      for (const std::string& note : bodies_moved_by_statics(c, sim.system(), sim.bodies(), state, at_start,
+                                                             sim.contact_friction_in_statics()))
+        fmt::print("note: {}\n", note);
     }
     water.update_sampled(state);
   });

@@ -144,9 +144,8 @@ StaticsReport solve_static_stages(Simulation& sim, Events& events, Progress& pro
   progress.print_warnings(model::notes_by_place(
       sim.model(),
       platforms_off_start(sim.system().comm(), sim.model(), sim.bodies(), sim.state().at_rest())));
-  if (!sim.contact_friction_in_statics())
-    progress.print_notes(
-        bodies_moved_by_statics(sim.model(), sim.system(), sim.bodies(), sim.state().at_rest(), at_start));
+  progress.print_notes(bodies_moved_by_statics(sim.model(), sim.system(), sim.bodies(), sim.state().at_rest(),
+                                               at_start, sim.contact_friction_in_statics()));
   return last;
 }
 

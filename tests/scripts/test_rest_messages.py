@@ -68,6 +68,21 @@ contact: {lines: []}
 """
 
 
+# A slender block on a slope of 20 degrees. Friction holds it there, but it topples beyond atan(1/3) = 18.4 degrees.
+SLENDER = """\
+hawser: 1
+bodies:
+  block:
+    position: [-0.513, 0, 1.4095]
+    rotation_deg: [0, -20, 0]
+    floating: {mass: 2000, inertia: [1667, 1667, 333], weight: true}
+volumes:
+  slope: {shape: {plane: {point: [0, 0, 0], normal: [-0.34202014332566877, 0, 0.9396926207859083]}}, friction: 1}
+  block: {shape: {box: {centre: [0, 0, 0], size: [1, 1, 3]}}, body: block, normal_stiffness: {per_point: 1.0e7}, friction: 1}
+statics: {contact_friction: true}
+"""
+
+
 class RestMessagesTest(unittest.TestCase):
     def setUp(self):
         self.folder = Path(tempfile.mkdtemp())
@@ -116,6 +131,11 @@ class RestMessagesTest(unittest.TestCase):
             self.assertRegex(text, moved)
         for text in self.texts(CRATE, "statics={contact_friction: true}"):
             self.assertNotIn("statics moves it", text)
+
+    def test_block_that_topples(self):
+        for text in self.texts(SLENDER):
+            self.assertIn("bodies.block: it does not rest in its initial position: statics topples or rolls it by 90 degrees on "
+                          "volume slope; check", text)
 
     def test_body_that_leaves_its_deck(self):
         """A module eccentric on a barge; its crane wire is slack. Without friction the barge heels, and the module slides off it

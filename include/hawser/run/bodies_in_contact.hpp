@@ -34,12 +34,14 @@ bool have_stayed(const model::Case& c, const std::vector<RestsOnBody>& resting,
 std::vector<RigidPose> poses_of(const System& system, const Bodies& bodies, const Kinematics& state);
 // Volumes of bodies that touch each other. The same on all ranks. Collective.
 std::vector<TouchingVolumes> touching_volumes(const System& system, const Kinematics& state);
-// Messages about bodies that rest on a volume with friction and have moved along it from their initial
-// position (advice::moved_without_friction), or that have left the volume on which they started (`at_start`);
-// for statics without friction between bodies. The same on all ranks. Collective.
+// Messages about bodies that rest on a volume with friction and have toppled or rolled in statics, and in
+// statics without friction between bodies those that have moved along it from their initial position
+// (advice::moved_without_friction), or have left the volume on which they started (`at_start`). The same on
+// all ranks. Collective.
 std::vector<std::string> bodies_moved_by_statics(const model::Case& c, const System& system,
                                                  const Bodies& bodies, const Kinematics& equilibrium,
-                                                 const std::vector<TouchingVolumes>& at_start);
+                                                 const std::vector<TouchingVolumes>& at_start,
+                                                 bool friction_in_statics);
 // Messages about volumes that the energy of their contact drives apart (BodyContact::driven_apart). The same
 // on all ranks. Collective.
 std::vector<std::string> bodies_driven_apart(const model::Case& c, const System& system,
