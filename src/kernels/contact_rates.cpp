@@ -41,9 +41,9 @@ Vec3 force_along(const ContactLaw& law, const ContactStart& start, const Contact
   state.point = dual(trial.point, by.point);
   state.normal = dual(n, n_rate);
   state.velocity = dual(trial.velocity, by.velocity);
-  const ContactStartOf<Dual> from{dual(start.point, by.start_point), dual(start.gap, by.start_gap),
+  const ContactStartOf<Dual> from{dual(start.point, by.start_point),     dual(start.gap, by.start_gap),
                                   dual(start.tangent, by.start_tangent), dual(start.slip, by.start_slip),
-                                  dual(start.normal, by.start_normal)};
+                                  dual(start.normal, by.start_normal),   dual(start.peak, by.start_peak)};
   return normal_part + rate(point_friction(law, from, state).force);
 }
 

@@ -29,16 +29,22 @@ Vector3<S> slip_in_step(const ContactLaw& law, const ContactStartOf<U>& start, c
 }
 
 // The trial slip s = s0 + moved, with the slip s0 of the last accepted state turned from its normal to the
-// present one, makes the force -k s, limited to the friction ellipse: friction() in friction_law.hpp. Sets
-// force and slip; a term keeps the slip when the step is accepted.
+// present one (and reduced by an increase of the peak of the normal force), makes the force -k s, limited to
+// the friction ellipse: friction() in friction_law.hpp. Sets force, slip and peak; a term keeps slip and peak
+// when the step is accepted.
 template <class S, class U>
 Friction<S> point_friction(const ContactLaw& law, const ContactStartOf<U>& start, const PointState<S>& t) {
   const Vector3<S> moved = slip_in_step(law, start, t);
-  const Vector3<S> before = transport_slip(start.slip, start.normal, t.normal);
+  const PeakOfForce<S> at = peak_of_force(law.friction, start.peak, t.force);
+  const Vector3<S> before = transport_slip(start.slip, start.normal, t.normal) * at.slip_factor;
   const auto act = [&](const auto& mu) -> Friction<S> {
+    Friction<S> f;
     if (law.friction.damping > 0 && t.step > 0)
-      return damped_friction(law.friction, mu, t.force, before, moved, t.step);
-    return friction(law.friction, mu, t.force, Vector3<S>(moved + before), t.normal, start.tangent);
+      f = damped_friction(law.friction, mu, t.force, at.peak, before, moved, t.step);
+    else
+      f = friction(law.friction, mu, t.force, at.peak, Vector3<S>(moved + before), t.normal, start.tangent);
+    f.peak = at.peak;
+    return f;
   };
   if (!law.friction.blends()) return act(Coulomb<double>{law.friction.axial, law.friction.lateral});
   const Vector3<S> along = t.velocity - t.normal * S(t.normal.dot(t.velocity));

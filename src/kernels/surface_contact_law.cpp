@@ -69,6 +69,7 @@ template <int kTurns>
       r.by_velocity.row(c) += by.template segment<3>(kVelocity).transpose();
       by_turn.row(c) = by.template tail<kTurns>().transpose();
     }
+    r.peak = f.peak.value();
     r.slides = f.slides;
   } else {
     const Friction<double> f =
@@ -77,6 +78,7 @@ template <int kTurns>
                                           rotation.turn, trial.point, trial.normal, trial.velocity});
     r.friction = f.force;
     r.slip = f.slip;
+    r.peak = f.peak;
     r.slides = f.slides;
   }
   r.force += r.friction;

@@ -78,7 +78,7 @@ ContactStart BedContact::start(const Point& p) const {
     // With a gap of 0 at the start, all of the displacement from the laid position counts as slip.
     return {from.place, 0, s.direction, from.slip, from.normal};
   }
-  return {s.point, s.gap, s.direction, history(p).slip, history(p).normal};
+  return {s.point, s.gap, s.direction, history(p).slip, history(p).normal, history(p).peak};
 }
 
 // In statics laid lines keep the position from which friction is counted.

@@ -198,7 +198,7 @@ void BodyContact::contact_of_edge(const Pair& pair, const PairFrames& at, const 
                              std::span(moving).first(n));
     if (friction.points && point.elastic_force() > 0)
       touching.push_back(
-          {q.xi, panel.from, panel.to, point.weight, point.slip, point.normal, point.friction});
+          {q.xi, panel.from, panel.to, point.weight, point.slip, point.normal, point.friction, point.peak});
   }
   if (friction.points) friction.points->add(volumes_[pair.a].skeleton.features.index(e), touching);
 }
@@ -227,7 +227,7 @@ BodyContact::Sum BodyContact::contact(const Pair& pair, const PairFrames& at, co
     if (friction.pressed) add_pressed(pair, p.from, p.radius, *s, *friction.pressed);
     if (!friction.points || !(at_point.normal_force > 0)) return;
     const BodyFrictionPoint touching_point{
-        0, 0, 0, at_point.weight, at_point.slip, at_point.normal, at_point.friction};
+        0, 0, 0, at_point.weight, at_point.slip, at_point.normal, at_point.friction, at_point.peak};
     friction.points->add(volumes_[pair.a].skeleton.features.index(p), {&touching_point, 1});
   };
   volumes_[pair.a].skeleton.features.walk(

@@ -110,6 +110,7 @@ struct BodyModel {
   std::unique_ptr<System> system;
   BodyContact* contact = nullptr;
   Trial trial;
+  Vec3 outward = Vec3::UnitZ();  // from the second body to the first one
 
   // gap [m] between the two in the trial; closing: speed of approach [m/s].
   BodyModel(const TouchCase& what, double gap, bool floats, double closing,
@@ -180,11 +181,18 @@ struct BodyModel {
       trial.rates.v[i] = v;
       trial.rates.w[i] = w;
     };
-    put(0, x, q, met.velocity_at(x) - closing * (met.rotation * out) + 0.05 * noise3(0, 3),
-        0.05 * noise3(0, 4));
+    outward = met.rotation * out;
+    put(0, x, q, met.velocity_at(x) - closing * outward + 0.05 * noise3(0, 3), 0.05 * noise3(0, 4));
     if (floats) put(1, met.position, met.rotation, 0.05 * noise3(1, 3), 0.05 * noise3(1, 4));
     system->update_couplings(trial.from.after_step(trial.h), trial.h);
     system->prepare(trial.from.after_step(trial.h), trial.h);
+  }
+
+  // Moves the first body of a trial away from the other one by a distance, m.
+  void move_out(Trial& t, double distance) const {
+    const LocalMesh& l = system->mesh();
+    const size_t node = static_cast<size_t>(l.find(l.mesh->body_node(0)));
+    Eigen::Map<Vec3>(t.u.data() + 3 * l.block[node]) += distance * outward;
   }
 };
 
@@ -258,9 +266,12 @@ TEST(BodyContact, TangentsWithFriction) {
         EXPECT_GT(change, 1e-3 * size) << what;
         if (floats) expect_momentum(m, s);
         expect_tangent(*m.system, m.trial, what + ", first touch");
-        // The slip of an edge is interpolated between its contact points, and has a kink at them.
+        // The slip of an edge is interpolated between its contact points, and has a kink at them. Friction
+        // has a kink where the normal force is equal to its previous peak, so that the body is 1 mm further
+        // out.
         Trial before = m.trial;
         for (double& u : before.u) u *= 0.997;
+        m.move_out(before, 1e-3);
         const State committed = state_of(m.system->mesh(), before);
         m.system->commit(committed.after_step(m.trial.h));
         m.system->prepare(m.trial.from.after_step(m.trial.h), m.trial.h);

@@ -75,9 +75,9 @@ inline Gaps gaps(Under on) {
       return {{-2, -5, -5, 8}, {3, -6, -4, -3}};
     case Under::roller:  // below the middle of the second element, which penetrates by 5 mm
     case Under::vertex:
-      return {{-5, -5.5, -4.5, -5}, {-6, -5.2, -4.4, -3}};
+      return {{-5, -5.5, -4.5, -5}, {-6, -6.2, -5.4, -3}};
     case Under::edge:  // the box ends at x = 1.8
-      return {{4, -4, -6, -30}, {6, -3.5, -7, -35}};
+      return {{4, -4, -6, -30}, {6, -4.6, -7, -35}};
   }
   return {};
 }

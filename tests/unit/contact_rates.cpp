@@ -20,6 +20,7 @@ struct Situation {
   double axial = 0.3, lateral = 0.3, stiffness = 0, slip = 1e-4, before = -1e-3;
   double blend = 0;    // m/s
   double damping = 0;  // sqrt(kg)
+  double peak = 0;     // N
 };
 
 Place at(const Situation& s, double xi) {
@@ -43,6 +44,7 @@ Place at(const Situation& s, double xi) {
   const SlipBetween m = slip_between(a, na, b, nb, xi, false);
   p.start.slip = m.slip;
   p.start.normal = m.normal;
+  p.start.peak = s.peak * (1 + 0.3 * xi);
   return p;
 }
 
@@ -63,6 +65,10 @@ TEST(ContactAlong, DerivativeOfTheForce) {
                            {"slides at a speed, anisotropic", 0.3, 0.6, 2e4, 0.2, -1e-3, 0.4},
                            {"sticks, damped", 0.3, 0.3, 0, 1e-5, -1e-3, 0, 0.5},
                            {"slides, damped", 0.3, 0.3, 2e4, 0.2, -1e-3, 0.4, 2},
+                           {"sticks under more force", 0.3, 0.3, 0, 1e-4, -1e-3, 0, 0, 1000},
+                           {"sticks under more force, damped", 0.3, 0.3, 0, 1e-5, -1e-3, 0, 0.5, 1000},
+                           {"sticks under less force, anisotropic", 0.3, 0.6, 0, 1e-5, -1e-3, 0, 0, 4e4},
+                           {"slides under less force", 0.3, 0.3, 0, 0.05, -1e-3, 0, 0, 4e4},
                            {"met in the step, sticks", 0.3, 0.3, 0, 1e-4, 0.02},
                            {"met in the step, slides, anisotropic", 0.3, 0.6, 0, 0.1, 0.02}};
   for (const Situation& s : all) {
@@ -88,6 +94,7 @@ TEST(ContactAlong, DerivativeOfTheForce) {
       by.start_tangent = rate([&](double x) { return at(s, x).start.tangent; });
       by.start_slip = rate([&](double x) { return at(s, x).start.slip; });
       by.start_normal = rate([&](double x) { return at(s, x).start.normal; });
+      by.start_peak = rate([&](double x) { return Vec3::Constant(at(s, x).start.peak); }).x();
       by.start_gap = rate([&](double x) { return Vec3::Constant(at(s, x).start.gap); }).x();
       const auto contact = [&](double x) {
         const Place q = at(s, x);

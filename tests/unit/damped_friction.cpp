@@ -28,12 +28,12 @@ TEST(DampedFriction, EnergyOfSticking) {
       const Coulomb<double> mu{0.4, 0.4};
       law.damping = 0;
       const Friction<double> plain = friction<double>(law, N, slip + moved, {0, 0, 1}, {1, 0, 0});
-      const Friction<double> none = damped_friction<double>(law, mu, N, slip, moved, h);
+      const Friction<double> none = damped_friction<double>(law, mu, N, N, slip, moved, h);
       EXPECT_LT((plain.force - none.force).norm(), 1e-12 * N);
       EXPECT_LT((plain.slip - none.slip).norm(), 1e-15);
 
       law.damping = 5;
-      const Friction<double> f = damped_friction<double>(law, mu, N, slip, moved, h);
+      const Friction<double> f = damped_friction<double>(law, mu, N, N, slip, moved, h);
       const double spring = k > 0 ? k : 0.4 * N / 2e-3;
       const double c = 5 * std::sqrt(spring);
       EXPECT_LE(f.force.norm(), 0.4 * N * (1 + 1e-12));

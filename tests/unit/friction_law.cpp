@@ -387,7 +387,8 @@ TEST(FrictionLaw, CoefficientsFallWithSpeed) {
   EXPECT_EQ(still.lateral, 0.6);
   EXPECT_NEAR(slow.axial, 0.3 + 0.2 / std::numbers::e, 1e-15);
   EXPECT_NEAR(fast.lateral, 0.2, 1e-15);
-  const Friction<double> f = friction<double, double>(law, fast, 1000, {0.5, 0, 0}, {0, 0, 1}, {1, 0, 0});
+  const Friction<double> f =
+      friction<double, double>(law, fast, 1000, 1000, {0.5, 0, 0}, {0, 0, 1}, {1, 0, 0});
   EXPECT_NEAR(f.force.x(), -300, 1e-9);
 }
 

@@ -42,10 +42,17 @@ std::vector<Situation> situations() {
   const Vec3 s = 2e-3 * n.cross(Vec3(1, 0.2, 0)).normalized();
   ContactStart touching{2.095 * n, -0.005, Vec3(1, 0.5, 0.2).normalized(), s, n};
   ContactStart away{2.12 * n, 0.02, Vec3(1, 0.5, 0.2).normalized(), Vec3::Zero(), Vec3::UnitZ()};
+  ContactStart lighter = touching;  // the normal force has increased since
+  lighter.peak = 3e3;
+  ContactStart heavier = touching;
+  heavier.peak = 1e4;
   ContactStart facet{
       {0, 0, -0.01}, -0.01, Vec3(1, 0.5, 0.2).normalized(), s, n};  // last step's facet was tilted
   return {{"stick", on_sphere, touching, 2.095 * n + Vec3(1e-3, 5e-4, -3e-4), false},
           {"slip", on_sphere, touching, 2.095 * n + Vec3(0.02, 0.03, -0.005), true},
+          {"stick under more force", on_sphere, lighter, 2.095 * n + Vec3(1e-3, 5e-4, -3e-4), false},
+          {"stick under less force", on_sphere, heavier, 2.095 * n + Vec3(2e-4, 1e-4, -3e-4), false},
+          {"slip under less force", on_sphere, heavier, 2.095 * n + Vec3(0.02, 0.03, -0.005), true},
           {"in the ramp", on_sphere, touching, 2.1005 * n + Vec3(1e-4, 2e-4, 0), false},
           {"first touch", on_sphere, away, 2.095 * n + Vec3(3e-3, -2e-3, 1e-4), false},
           {"first touch, slip", on_sphere, away, 2.095 * n + Vec3(-0.06, 0.08, 0.04), true},
@@ -127,7 +134,7 @@ TEST(VolumeContactKernel, TurnsWithTheBody) {
       const ContactTrial t = s.field(s.point, {0.3, -0.2, -0.15});
       const ContactStart a = s.start;
       const ContactForce plain = surface_contact(law, a, t, true);
-      const ContactStart turned_start{R * a.point, a.gap, R * a.tangent, R * a.slip, R * a.normal};
+      const ContactStart turned_start{R * a.point, a.gap, R * a.tangent, R * a.slip, R * a.normal, a.peak};
       const ContactForce turned = surface_contact(
           law, turned_start,
           {R * t.point, R * t.velocity, t.gap, R * t.normal, R * t.curvature * R.transpose()}, true);
@@ -148,6 +155,63 @@ TEST(VolumeContactKernel, FacetChangeKeepsTheSlip) {
   const ContactStart across{{0, 0, -0.01}, -0.01, Vec3::UnitX(), n.cross(Vec3(3e-3, 0, 0)), n};
   const ContactForce d = surface_contact(law, across, on_plane({0, 0, -0.01}, Vec3::Zero()), false);
   EXPECT_LT((d.slip - Vec3(0, 3e-3, 0)).norm(), 1e-16);  // rotated, not shortened
+}
+
+// Friction with mobilisation lengths, under a normal force that varies while the point moves back and forth
+// along the surface, receives energy: what it has received is never less than the energy of its spring. A
+// spring that follows the normal force down and up would return more than it received, 0.5 (10 N - N) mu s²/d
+// in each turn of the first path.
+TEST(VolumeContactKernel, FrictionUnderVaryingForceGeneratesNoEnergy) {
+  struct Point {
+    double depth, place;  // m
+  };
+  std::vector<Point> turn{{1e-3, 0}, {1e-3, 1e-3}, {1e-2, 1e-3}, {1e-2, 0}, {1e-3, 0}};
+  std::vector<Point> any;
+  for (int i = 0; i < 3000; ++i)
+    any.push_back(
+        {1e-3 + 9e-3 * std::abs(std::sin(1.7 * i)), 4e-3 * std::sin(0.9 * i) * std::cos(0.013 * i)});
+  for (const FrictionReturn return_rule : {FrictionReturn::radial, FrictionReturn::associated})
+    for (const double lateral : {0.4, 0.8})
+      for (const std::vector<Point>& path : {turn, any}) {
+        FrictionLaw friction{0.4, lateral, 0, 5e-3, 5e-3 * lateral / 0.4, return_rule};
+        const ContactLaw law{{1e6, 0, 0}, friction};
+        ContactStart start{{0, 0, -path[0].depth}, -path[0].depth, Vec3(1, 1, 0).normalized()};
+        double received = 0;
+        for (int round = 0; round < 5; ++round)
+          for (const Point& p : path) {
+            const Vec3 y(p.place, 0, -p.depth);
+            const ContactForce c = surface_contact(law, start, on_plane(y, Vec3::Zero()), false);
+            received -= c.friction.dot(y - start.point);
+            EXPECT_GE(received, -0.5 * c.friction.dot(c.slip) - 1e-12);
+            start.point = y;
+            start.gap = -p.depth;
+            start.slip = c.slip;
+            start.peak = c.peak;
+          }
+      }
+}
+
+// The spring keeps its force when the normal force increases, and slides when it decreases below what holds
+// it.
+TEST(VolumeContactKernel, FrictionUnderVaryingForce) {
+  const ContactLaw law{{1e6, 0, 0}, {0.4, 0.4, 0, 5e-3, 5e-3}};
+  ContactStart start{{0, 0, -1e-3}, -1e-3, Vec3::UnitX()};
+  const auto force = [&](double x, double depth) {
+    const Vec3 y(x, 0, -depth);
+    const ContactForce c = surface_contact(law, start, on_plane(y, Vec3::Zero()), false);
+    start.point = y;
+    start.gap = -depth;
+    start.slip = c.slip;
+    start.peak = c.peak;
+    return c.friction.x();
+  };
+  EXPECT_NEAR(force(1e-3, 1e-3), -80, 1e-9);     // 0.4 N s/d, N = 1 kN
+  EXPECT_NEAR(force(1e-3, 4e-3), -80, 1e-9);     // N = 4 kN
+  EXPECT_NEAR(force(2e-3, 4e-3), -400, 1e-9);    // and 320 N/mm from there on
+  EXPECT_NEAR(force(2e-3, 2e-3), -400, 1e-9);    // 0.4 N = 800 N still hold it
+  EXPECT_NEAR(force(2e-3, 5e-4), -200, 1e-9);    // slides
+  EXPECT_NEAR(force(1.9e-3, 5e-4), -168, 1e-9);  // 320 N/mm
+  EXPECT_NEAR(force(1.9e-3, 1e-3), -168, 1e-9);
 }
 
 // Only the motion after the first contact counts: half of it if contact begins half way.

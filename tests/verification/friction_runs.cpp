@@ -244,6 +244,7 @@ TEST(FrictionRuns, CapstanMobilisation) {
     drum.relative_damping = 0.1;
     drum.friction.axial = drum.friction.lateral = mu;
     drum.friction.mobilisation_length = d;
+    drum.friction.spring = FrictionSpring::michalopoulos;  // the spring of C02 follows the normal force
     c.volumes.push_back(drum);
     c.contact.method = method;
     c.dynamics.enabled = true;

@@ -66,6 +66,7 @@ Drawn draw(const Rope& r, std::shared_ptr<const Surface> drum_surface = nullptr)
   drum.relative_damping = 0.1;
   drum.friction.axial = drum.friction.lateral = r.mu;
   drum.friction.mobilisation_length = r.mobilisation;
+  drum.friction.spring = FrictionSpring::michalopoulos;  // the spring of C02 follows the normal force
   if (r.stiffness > 0) {
     drum.basis = model::StiffnessBasis::per_length;
     drum.normal_stiffness = r.stiffness;

@@ -11,7 +11,7 @@ struct ContactRates {
   Vec3 point = Vec3::Zero(), velocity = Vec3::Zero();             // of the trial: m, m/s
   Vec3 start_point = Vec3::Zero(), start_tangent = Vec3::Zero();  // m; of a unit vector
   Vec3 start_slip = Vec3::Zero(), start_normal = Vec3::Zero();    // m; of a unit vector
-  double start_gap = 0, roll = 0;                                 // m, rad
+  double start_gap = 0, start_peak = 0, roll = 0;                 // m, N or N/m, rad
 };
 
 // d force / d xi [N or N/m]. Gap and normal follow the trial's point by normal and curvature. 0 without

@@ -12,8 +12,9 @@
 
 namespace hawser {
 
-// Friction with mobilisation lengths d, while it sticks. elliptic: f_i = -mu_i N s_i/d_i, one spring in each
-// direction; at constant N a closed path does no work. michalopoulos: f_i = -mu_i N R s_i/|s|, R² =
+// Friction with mobilisation lengths d, while it sticks. elliptic: f_i = -mu_i P s_i/d_i, one spring in each
+// direction, with the peak P of the normal force (FrictionLaw::stiffens); no closed path generates energy.
+// michalopoulos: f_i = -mu_i N R s_i/|s|, R² =
 // (s_a/d_a)² + (s_l/d_l)² (Michalopoulos 1986; OMAE2006-92155, eqs 6-10); it has no potential unless the
 // lengths are equal.
 enum class FrictionSpring { elliptic, michalopoulos };
@@ -33,6 +34,9 @@ struct FrictionLaw {
   bool operator==(const FrictionLaw&) const = default;
   bool active() const { return axial > 0 || lateral > 0; }
   bool blends() const { return blend_speed > 0; }
+  // The springs have the stiffness mu P/d, with the largest normal force P since the point touched: if it
+  // followed N down and up again, it would do work on a stuck slip.
+  bool stiffens() const { return stiffness <= 0 && spring == FrictionSpring::elliptic; }
   bool isotropic() const {
     return axial == lateral && (stiffness > 0 || axial_length == lateral_length) &&
            (!blends() || axial_kinetic == lateral_kinetic);
@@ -51,6 +55,7 @@ template <class S>
 struct Friction {
   Vector3<S> force = Vector3<S>::Zero();  // N, on the point
   Vector3<S> slip = Vector3<S>::Zero();   // m, elastic slip that remains
+  S peak = S(0);                          // N, largest normal force since the point touched
   bool slides = false;
 };
 
@@ -77,10 +82,10 @@ Coulomb<S> coulomb_at(const FrictionLaw& law, const S& speed2) {
           S(static_weight * (law.lateral - law.lateral_kinetic) + law.lateral_kinetic)};
 }
 
-// Stiffness k of an isotropic law under the normal force N [N], N/m.
+// Stiffness k of an isotropic law with the peak of the normal force [N], N/m.
 template <class S, class M>
-S isotropic_stiffness(const FrictionLaw& law, const Coulomb<M>& mu, const S& N) {
-  return law.stiffness > 0 ? S(law.stiffness) : S(N * M(mu.axial / law.axial_length));
+S isotropic_stiffness(const FrictionLaw& law, const Coulomb<M>& mu, const S& peak) {
+  return law.stiffness > 0 ? S(law.stiffness) : S(peak * M(mu.axial / law.axial_length));
 }
 
 // Friction of a spring that slides if its slip exceeds `limit` [m].
@@ -105,11 +110,11 @@ Friction<S> on_spring(const Vector3<S>& slip, const S& limit, const S& stiffness
 // while sticking, F = -k' (w s0 + d). After sliding, the slip is that which belongs to F: s = (1 - w) s0 -
 // F/k'.
 template <class S, class M>
-Friction<S> damped_friction(const FrictionLaw& law, const Coulomb<M>& mu, const S& N, const Vector3<S>& s0,
-                            const Vector3<S>& d, double h) {
+Friction<S> damped_friction(const FrictionLaw& law, const Coulomb<M>& mu, const S& N, const S& peak,
+                            const Vector3<S>& s0, const Vector3<S>& d, double h) {
   if (!(N > 0.0) || !(mu.axial > 0.0)) return {};
   using std::sqrt;
-  const S k = isotropic_stiffness(law, mu, N);
+  const S k = isotropic_stiffness(law, mu, peak);
   const S damped = k + sqrt(k) * S(law.damping / h);
   const S w = k / damped;
   Friction<S> r = on_spring<S>(s0 * w + d, N * mu.axial / damped, damped);
@@ -117,22 +122,23 @@ Friction<S> damped_friction(const FrictionLaw& law, const Coulomb<M>& mu, const 
   return r;
 }
 
-// Force and remaining slip for a trial slip in the tangent plane of `normal`. N [N] >= 0; `tangent` is the
-// direction of the line (unit vector, need not lie in the plane); mu holds the coefficients that apply.
+// Force and remaining slip for a trial slip in the tangent plane of `normal`. N [N] >= 0, peak >= N;
+// `tangent` is the direction of the line (unit vector, need not lie in the plane); mu holds the coefficients
+// that apply.
 //
 // With a stiffness k the force is f = -k s, limited by the slip surface (f_a/mu_a)² + (f_l/mu_l)² <= N². With
-// mobilisation lengths it is that of FrictionSpring, limited by (s_a/d_a)² + (s_l/d_l)² <= 1, which is the
-// same surface. A slip beyond it returns to it by FrictionReturn. A direction with mu = 0 has neither slip
-// nor force.
+// mobilisation lengths it is that of FrictionSpring, limited by (s_a/d_a)² + (s_l/d_l)² <= (N/P)², with P = N
+// for michalopoulos, which is the same surface. A slip beyond it returns to it by FrictionReturn. A direction
+// with mu = 0 has neither slip nor force.
 template <class S, class M, class U = double>
-Friction<S> friction(const FrictionLaw& law, const Coulomb<M>& mu, const S& N, const Vector3<S>& slip,
-                     const Vector3<S>& normal, const Vector3<U>& tangent) {
+Friction<S> friction(const FrictionLaw& law, const Coulomb<M>& mu, const S& N, const S& peak,
+                     const Vector3<S>& slip, const Vector3<S>& normal, const Vector3<U>& tangent) {
   Friction<S> r;
   if (!(N > 0.0)) return r;
   using std::abs, std::sqrt;
   if (law.isotropic()) {
-    const S limit = law.stiffness > 0 ? S(N * M(mu.axial / law.stiffness)) : S(law.axial_length);
-    return on_spring(slip, limit, isotropic_stiffness(law, mu, N));
+    const S stiffness = law.stiffens() ? isotropic_stiffness(law, mu, peak) : isotropic_stiffness(law, mu, N);
+    return mu.axial > 0.0 ? on_spring(slip, S(N * mu.axial / stiffness), stiffness) : r;
   }
   Vector3<S> a = tangent.template cast<S>();
   a -= normal * S(a.dot(normal));
@@ -152,8 +158,9 @@ Friction<S> friction(const FrictionLaw& law, const Coulomb<M>& mu, const S& N, c
     e.axis[0] = holds_a ? S(N * M(mu.axial / k)) : S(1);
     e.axis[1] = holds_l ? S(N * M(mu.lateral / k)) : S(1);
   } else {
-    e.axis[0] = S(law.axial_length);
-    e.axis[1] = S(law.lateral_length);
+    const S part = law.stiffens() ? S(N / peak) : S(1);
+    e.axis[0] = part * law.axial_length;
+    e.axis[1] = part * law.lateral_length;
     if (law.spring == FrictionSpring::elliptic && law.return_rule == FrictionReturn::associated) {
       if (holds_a) e.stiffness[0] = S(mu.axial / law.axial_length);
       if (holds_l) e.stiffness[1] = S(mu.lateral / law.lateral_length);
@@ -164,8 +171,8 @@ Friction<S> friction(const FrictionLaw& law, const Coulomb<M>& mu, const S& N, c
   if (k > 0) {
     r.force = r.slip * S(-k);
   } else if (law.spring == FrictionSpring::elliptic) {
-    const S ka = N * M(mu.axial / law.axial_length);
-    const S kl = N * M(mu.lateral / law.lateral_length);
+    const S ka = peak * M(mu.axial / law.axial_length);
+    const S kl = peak * M(mu.lateral / law.lateral_length);
     r.force = a * S(-(ka * e.slip[0])) + l * S(-(kl * e.slip[1]));
   } else {
     const S s2 = e.slip[0] * e.slip[0] + e.slip[1] * e.slip[1];
@@ -176,11 +183,25 @@ Friction<S> friction(const FrictionLaw& law, const Coulomb<M>& mu, const S& N, c
   return r;
 }
 
-// The same with the coefficients at rest.
+// The same with the coefficients at rest and a normal force that has never been larger.
 template <class S, class U = double>
 Friction<S> friction(const FrictionLaw& law, const S& N, const Vector3<S>& slip, const Vector3<S>& normal,
                      const Vector3<U>& tangent) {
-  return friction<S, double>(law, {law.axial, law.lateral}, N, slip, normal, tangent);
+  return friction<S, double>(law, {law.axial, law.lateral}, N, N, slip, normal, tangent);
+}
+
+// Peak of the normal force N in a trial, and the slip of the last accepted state with the peak there (0: the
+// point did not touch). An increase of the peak stiffens the springs under their present force, so that the
+// slip decreases and their energy too.
+template <class S>
+struct PeakOfForce {
+  S peak, slip_factor;
+};
+template <class S, class U>
+PeakOfForce<S> peak_of_force(const FrictionLaw& law, const U& peak_before, const S& N) {
+  const S before(peak_before);
+  if (!law.stiffens() || !(before > 0.0)) return {N, S(1)};
+  return N > before ? PeakOfForce<S>{N, S(before / N)} : PeakOfForce<S>{before, S(1)};
 }
 
 }  // namespace hawser

@@ -23,6 +23,7 @@ struct ContactStartOf {
   Vector3<U> tangent = Vector3<U>::UnitX();  // of the line, unit
   Vector3<U> slip = Vector3<U>::Zero();      // m, elastic slip; zero if the point did not touch
   Vector3<U> normal = Vector3<U>::UnitZ();   // surface normal to which the slip belongs
+  U peak = U(0);                             // N, largest normal force since the point touched
 };
 using ContactStart = ContactStartOf<double>;
 
@@ -44,6 +45,7 @@ struct ContactForce {
   Vec3 force = Vec3::Zero();     // N, on the line: normal and friction
   Vec3 friction = Vec3::Zero();  // N
   Vec3 slip = Vec3::Zero();      // m, elastic slip that remains
+  double peak = 0;               // N, largest normal force since the point touched; 0 without friction
   bool slides = false;
   Mat3 by_point = Mat3::Zero();     // N/m, d force / d point at fixed velocity; filled on request
   Mat3 by_velocity = Mat3::Zero();  // N s/m

@@ -16,6 +16,7 @@ struct BodyFrictionPoint {
   double weight = 1;
   Vec3 slip = Vec3::Zero(), normal = Vec3::UnitZ();  // m, elastic slip
   Vec3 friction = Vec3::Zero();                      // N, N/m or N/m²
+  double peak = 0;                                   // the same, largest normal force since the touch
 
   template <class Self, class Each>
   static void quantities(Self& self, Each&& each) {
@@ -26,6 +27,7 @@ struct BodyFrictionPoint {
     each("slip", "m", self.slip);
     each("normal", "", self.normal);
     each("friction force", "N, N/m or N/m2", self.friction);
+    each("peak of the normal force", "N, N/m or N/m2", self.peak);
   }
 };
 

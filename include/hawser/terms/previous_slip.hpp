@@ -7,10 +7,10 @@
 
 namespace hawser {
 
-// Sets slip and normal of `start` at xi, and on request their derivatives along the axis, from the contact
-// points of the last accepted state, sorted by xi; between points of one interval they are interpolated.
-// Returns false, without setting anything, if the material at xi did not touch. Points: vector or span of
-// contact points with xi, from, to, slip and normal.
+// Sets slip, normal and peak of `start` at xi, and on request their derivatives along the axis, from the
+// contact points of the last accepted state, sorted by xi; between points of one interval they are
+// interpolated. Returns false, without setting anything, if the material at xi did not touch. Points: vector
+// or span of contact points with xi, from, to, slip, normal and peak.
 template <class Points>
 bool previous_slip(const Points& points, double xi, ContactStart& s, ContactRates* rates) {
   using Point = typename Points::value_type;
@@ -27,6 +27,7 @@ bool previous_slip(const Points& points, double xi, ContactStart& s, ContactRate
     if (!p) return false;
     s.slip = p->slip;
     s.normal = p->normal;
+    s.peak = p->peak;
     return true;
   }
   const double gap = b->xi - a->xi;
@@ -34,7 +35,9 @@ bool previous_slip(const Points& points, double xi, ContactStart& s, ContactRate
   const SlipBetween between = slip_between(a->slip, a->normal, b->slip, b->normal, t, rates != nullptr);
   s.slip = between.slip;
   s.normal = between.normal;
+  s.peak = (1 - t) * a->peak + t * b->peak;
   if (rates) {
+    rates->start_peak = (b->peak - a->peak) / gap;
     rates->start_slip = between.slip_by_t / gap;
     rates->start_normal = between.normal_by_t / gap;
   }

@@ -16,9 +16,10 @@ namespace hawser {
 // Contact point with its elastic slip.
 struct SurfaceContactPoint : ContactPoint {
   Vec3 slip = Vec3::Zero();  // m
+  double peak = 0;           // N or N/m, largest normal force since the touch, with friction
 
   SurfaceContactPoint() = default;
-  SurfaceContactPoint(const ContactForce& c, const Vec3& n) : slip(c.slip) {
+  SurfaceContactPoint(const ContactForce& c, const Vec3& n) : slip(c.slip), peak(c.peak) {
     normal = n;
     force = c.force;
     friction = c.friction;
@@ -30,6 +31,7 @@ struct SurfaceContactPoint : ContactPoint {
   template <class Self, class Each>
   static void quantities(Self& self, Each&& each, const char* force, const char* energy) {
     each("slip", "m", self.slip);
+    each("peak of the normal force", force, self.peak);
     ContactPoint::quantities(self, each, force, energy);
   }
 };
