@@ -79,9 +79,9 @@ std::string moved_without_friction(const std::string& body, double distance, con
 
 std::string toppled_in_statics(const std::string& body, double angle, const std::string& volume) {
   return fmt::format(
-      "bodies.{}: it does not rest in its initial position: statics topples or rolls it by {:.3g} degrees on "
-      "volume {}; check 'position', 'rotation_deg' and its centre of mass",
-      body, angle / kDegree, volume);
+      "bodies.{}: statics topples or rolls it on volume {}: at rest it is tilted by {:.3g} degrees from its "
+      "initial position; if that is not intended, check 'position', 'rotation_deg' and its centre of mass",
+      body, volume, angle / kDegree);
 }
 
 std::string unstable_equilibria_left(int equilibria) {

@@ -1,6 +1,7 @@
-// Trial slip and friction of a point of a line against a volume or the seabed. Memory is the slip in
-// ContactStart: BedContact::start() for the bed, LineVolumeFinder::start() for volumes. Both are templates of
-// the scalar, for derivatives by the point and along the line. The law is in friction_law.hpp.
+// Trial slip and friction of a point of a line against a volume or the seabed. Memory is slip and
+// peak of the normal force in ContactStart: BedContact::start() for the bed, LineVolumeFinder::start() for
+// volumes. Both are templates of the scalar, for derivatives by the point and along the line. The law is in
+// friction_law.hpp.
 #pragma once
 
 #include "hawser/kernels/surface_contact_law.hpp"
@@ -43,7 +44,7 @@ Friction<S> point_friction(const ContactLaw& law, const ContactStartOf<U>& start
       f = damped_friction(law.friction, mu, t.force, at.peak, before, moved, t.step);
     else
       f = friction(law.friction, mu, t.force, at.peak, Vector3<S>(moved + before), t.normal, start.tangent);
-    f.peak = at.peak;
+    if (law.friction.stiffens()) f.peak = at.peak;
     return f;
   };
   if (!law.friction.blends()) return act(Coulomb<double>{law.friction.axial, law.friction.lateral});

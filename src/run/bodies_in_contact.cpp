@@ -91,9 +91,9 @@ RelativePose relative_pose(const model::Case& c, const RestsOnBody& on, const st
 }
 
 // Displacement of a body relative to the one that it rests on: m, without its part along `force` [N, on the
-// body], which is normal to the surface; and its rotation, rad.
+// body], which is normal to the surface; and the angle by which this normal has turned with the body, rad.
 struct MovedOnSurface {
-  double along = 0, turned = 0;
+  double along = 0, tilted = 0;
 };
 
 MovedOnSurface moved_on_surface(const model::Case& c, const RestsOnBody& on, const Vec3& force,
@@ -105,7 +105,8 @@ MovedOnSurface moved_on_surface(const model::Case& c, const RestsOnBody& on, con
   const Vec3 moved = to.place - from.place;
   const Vec3 out = on.other < 0 ? force : Vec3(equilibrium[on.other].rotation.conjugate() * force);
   const Vec3 normal = out.normalized();
-  return {(moved - normal.dot(moved) * normal).norm(), from.turned.angularDistance(to.turned)};
+  const Vec3 turned = to.turned * (from.turned.conjugate() * normal);
+  return {(moved - normal.dot(moved) * normal).norm(), std::acos(std::clamp(normal.dot(turned), -1.0, 1.0))};
 }
 
 }  // namespace
@@ -208,9 +209,9 @@ std::vector<std::string> bodies_moved_by_statics(const model::Case& c, const Sys
     if (!m.weight || !(on.force.z() > kRests * m.mass * c.environment.gravity)) continue;
     const model::Volume& volume = c.volumes[on.volume];
     const MovedOnSurface moved = moved_on_surface(c, {body, c.body_index(volume.body)}, on.force, poses);
-    if (moved.turned > kTopples)
-      out.push_back(advice::toppled_in_statics(c.bodies[body].name, moved.turned, volume.name));
-    else if (moved.along > significant(m) && !friction_in_statics)
+    if (moved.tilted > kTopples)
+      out.push_back(advice::toppled_in_statics(c.bodies[body].name, moved.tilted, volume.name));
+    if (moved.along > significant(m) && !friction_in_statics)
       out.push_back(
           advice::moved_without_friction(c.bodies[body].name, moved.along, volume.name, on.friction));
   }

@@ -171,6 +171,7 @@ void BedContact::commit(const Kinematics& accepted) {
     PointHistory next;
     if (c.along_normal.elastic > 0) {
       next = PointHistory(c, at.normal);
+      if (!accepted.moves()) next.peak = 0;
       next.active = true;
     }
     const SuctionState before = suction_state(p, accepted);

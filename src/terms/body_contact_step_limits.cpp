@@ -49,9 +49,9 @@ std::pair<Vec6, Vec6> BodyContact::PairFrames::relative_motion() const {
 
 // With the root L of the inverse mass matrix the modes obey L'KL e = w² e. Rates q' of the unknowns deform
 // the spring of a mode at the rate u = e.L'K q'/w², accelerations q'' likewise at c = e.L'K q''/w², and it
-// vibrates about its equilibrium with the energy (u² + c²/w²)/2. Springs of friction are as stiff as the
-// fastest of these modes: a body that begins to slide or to stick with the acceleration a vibrates on them
-// with the energy m a²/2w².
+// vibrates about its equilibrium with the energy (u² + c²/w²)/2. Springs of friction are taken to be as stiff
+// as the fastest of these modes: a body that begins to slide or to stick with the acceleration a vibrates on
+// them with the energy m a²/2w².
 BodyContact::Frequencies BodyContact::frequencies(const Pair& pair, const PairFrames& at,
                                                   const Sum& s) const {
   if (!s.active) return {};

@@ -20,8 +20,10 @@ void LineVolumeContact::commit(const Kinematics& accepted) {
     }
     pair.trial.evaluation = Pair::Evaluation::none;
     pair.trial.evaluated.clear();
-    for (const AxisContactPoint& p : next)
+    for (AxisContactPoint& p : next) {
+      if (!accepted.moves()) p.peak = 0;
       accounts_[pair.element].reaches(-p.gap, accepted.time, pair.volume, p.xi < 0.5 ? 0 : 1);
+    }
     if (accepted.moves() && !(next.empty() && pair.start.points.empty()))
       account(pair, AxisShape(ends(accepted, pair.element)), next);
     pair.start.points = std::move(next);

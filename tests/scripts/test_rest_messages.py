@@ -134,8 +134,8 @@ class RestMessagesTest(unittest.TestCase):
 
     def test_block_that_topples(self):
         for text in self.texts(SLENDER):
-            self.assertIn("bodies.block: it does not rest in its initial position: statics topples or rolls it by 90 degrees on "
-                          "volume slope; check", text)
+            self.assertIn("bodies.block: statics topples or rolls it on volume slope: at rest it is tilted by 90 degrees from its "
+                          "initial position; if", text)
 
     def test_body_that_leaves_its_deck(self):
         """A module eccentric on a barge; its crane wire is slack. Without friction the barge heels, and the module slides off it

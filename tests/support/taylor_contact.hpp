@@ -107,7 +107,7 @@ inline LineVolumeContact& add_contact(SuiteModel& m, const Placement& at, Contac
   v.settings.smoothing = 1 * mm;
   v.settings.relative_damping = 0.1;
   v.settings.friction = {axial, lateral, 0, axial == lateral ? 4e4 : 0.0};
-  if (axial != lateral) v.settings.friction.mobilisation_length = 2 * mm;
+  if (axial != lateral) v.settings.friction.mobilisation_length = 2.2 * mm;
   if (on == ContactOn::plane)
     v.surface = std::make_shared<PlaneSurface>(Vec3::Zero(), Vec3::UnitZ());
   else if (on == ContactOn::cylinder)

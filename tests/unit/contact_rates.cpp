@@ -5,6 +5,9 @@
 
 #include <cmath>
 #include <string>
+#include <vector>
+
+#include "hawser/terms/previous_slip.hpp"
 
 namespace hawser::contact_rates_test {
 namespace {
@@ -142,6 +145,42 @@ TEST(ContactAlong, SlipBetweenPlaces) {
     EXPECT_LT((m.slip_by_t - difference([&](double x) { return between(x).slip; }, t, 1e-3)).norm(), 1e-9);
     EXPECT_LT((m.normal_by_t - difference([&](double x) { return between(x).normal; }, t, 1e-3)).norm(),
               1e-9);
+  }
+}
+
+// Between points whose normal forces had different peaks P, the springs have the interpolated force P s, and
+// not more than the interpolated energy (P s)²/(2 P). The derivatives are those of the interpolation.
+TEST(ContactAlong, PreviousSlipUnderDifferentPeaks) {
+  struct Point {
+    double xi, from, to;
+    Vec3 slip, normal;
+    double peak;
+  };
+  const Vec3 n = Vec3::UnitZ();
+  for (const double ratio : {0.0, 1.0, 3.0, 1000.0}) {
+    const std::vector<Point> points{{0.2, 0, 1, {1e-3, 0, 0}, n, ratio * 10},
+                                    {0.8, 0, 1, {2e-3, 1e-3, 0}, n, ratio > 0 ? 10.0 : 0.0}};
+    const auto at = [&](double xi, ContactRates* rates) {
+      ContactStart s;
+      EXPECT_TRUE(previous_slip(points, xi, s, rates));
+      return s;
+    };
+    for (const double t : {0.1, 0.5, 0.9}) {
+      const double xi = 0.2 + 0.6 * t;
+      ContactRates by;
+      const ContactStart s = at(xi, &by);
+      EXPECT_LT((at(xi, nullptr).slip - s.slip).norm(), 1e-18);
+      const auto mean = [&](auto value) { return (1 - t) * value(points[0]) + t * value(points[1]); };
+      for (int i = 0; i < 3; ++i) {
+        const auto force = [&](const auto& p) { return (ratio > 0 ? p.peak : 1) * p.slip[i]; };
+        EXPECT_NEAR(force(s), mean(force), 1e-14);
+      }
+      const auto energy = [](const auto& p) { return 0.5 * p.peak * p.slip.squaredNorm(); };
+      EXPECT_LE(energy(s), mean(energy) * (1 + 1e-12));
+      const Vec3 rate = difference([&](double x) { return at(x, nullptr).slip; }, xi, 1e-4);
+      EXPECT_LT((by.start_slip - rate).norm(), 1e-5 * rate.norm() + 1e-12) << ratio << " at " << t;
+      EXPECT_NEAR(by.start_peak, (points[1].peak - points[0].peak) / 0.6, 1e-9);
+    }
   }
 }
 

@@ -170,17 +170,21 @@ TEST(VolumeContactKernel, FrictionUnderVaryingForceGeneratesNoEnergy) {
   for (int i = 0; i < 3000; ++i)
     any.push_back(
         {1e-3 + 9e-3 * std::abs(std::sin(1.7 * i)), 4e-3 * std::sin(0.9 * i) * std::cos(0.013 * i)});
+  int count = 0;
   for (const FrictionReturn return_rule : {FrictionReturn::radial, FrictionReturn::associated})
-    for (const double lateral : {0.4, 0.8})
+    for (const auto& [lateral, blend_speed] : {std::pair{0.4, 0.0}, {0.8, 0.0}, {0.4, 0.1}, {0.8, 0.1}})
       for (const std::vector<Point>& path : {turn, any}) {
         FrictionLaw friction{0.4, lateral, 0, 5e-3, 5e-3 * lateral / 0.4, return_rule};
+        friction.axial_kinetic = friction.lateral_kinetic = 0.1;
+        friction.blend_speed = blend_speed;
         const ContactLaw law{{1e6, 0, 0}, friction};
         ContactStart start{{0, 0, -path[0].depth}, -path[0].depth, Vec3(1, 1, 0).normalized()};
         double received = 0;
         for (int round = 0; round < 5; ++round)
           for (const Point& p : path) {
             const Vec3 y(p.place, 0, -p.depth);
-            const ContactForce c = surface_contact(law, start, on_plane(y, Vec3::Zero()), false);
+            const Vec3 u(0.1 * (count++ % 3), 0, 0);
+            const ContactForce c = surface_contact(law, start, on_plane(y, u), false);
             received -= c.friction.dot(y - start.point);
             EXPECT_GE(received, -0.5 * c.friction.dot(c.slip) - 1e-12);
             start.point = y;
@@ -188,6 +192,25 @@ TEST(VolumeContactKernel, FrictionUnderVaryingForceGeneratesNoEnergy) {
             start.slip = c.slip;
             start.peak = c.peak;
           }
+      }
+}
+
+// Far above the blend speed the weight exp(-(v/v0)²) of the coefficients at rest is below all numbers.
+TEST(VolumeContactKernel, FastSlidingWithoutKineticFriction) {
+  for (const FrictionSpring spring : {FrictionSpring::elliptic, FrictionSpring::michalopoulos})
+    for (const double lateral : {0.4, 0.8})
+      for (const double speed : {0.5, 2.0, 2.5, 10.0}) {
+        FrictionLaw friction{0.4, lateral, 0, 5e-3, 5e-3};
+        friction.spring = spring;
+        friction.blend_speed = 0.1;
+        ContactStart start{{0, 0, -1e-3}, -1e-3, Vec3(1, 1, 0).normalized()};
+        start.slip = Vec3(1e-3, 0, 0);
+        start.peak = 800;
+        const ContactForce c = surface_contact({{1e6, 0, 0}, friction}, start,
+                                               on_plane({0.1, 0.02, -1e-3}, {speed, 0, 0}), true);
+        EXPECT_LT(c.friction.norm(), 1e-7) << speed;
+        EXPECT_TRUE(c.by_point.allFinite()) << speed;
+        EXPECT_TRUE(c.by_velocity.allFinite()) << speed;
       }
 }
 

@@ -34,7 +34,7 @@ std::string held_without_weight(const std::string& body, bool with_friction);
 // excludes.
 std::string moved_without_friction(const std::string& body, double distance, const std::string& volume,
                                    double friction);
-// A body that statics turns by `angle` [rad] from its initial position on a volume.
+// A body that statics topples or rolls on a volume, and that rests there tilted by `angle` [rad].
 std::string toppled_in_statics(const std::string& body, double angle, const std::string& volume);
 // A body that statics lifts or moves off a volume on which it starts, with this coefficient of friction,
 // which it excludes.

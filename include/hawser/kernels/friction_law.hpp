@@ -13,7 +13,8 @@
 namespace hawser {
 
 // Friction with mobilisation lengths d, while it sticks. elliptic: f_i = -mu_i P s_i/d_i, one spring in each
-// direction, with the peak P of the normal force (FrictionLaw::stiffens); no closed path generates energy.
+// direction, with the coefficient at rest and the peak P of the normal force (FrictionLaw::stiffens); no
+// closed path generates energy.
 // michalopoulos: f_i = -mu_i N R s_i/|s|, R² =
 // (s_a/d_a)² + (s_l/d_l)² (Michalopoulos 1986; OMAE2006-92155, eqs 6-10); it has no potential unless the
 // lengths are equal.
@@ -55,7 +56,7 @@ template <class S>
 struct Friction {
   Vector3<S> force = Vector3<S>::Zero();  // N, on the point
   Vector3<S> slip = Vector3<S>::Zero();   // m, elastic slip that remains
-  S peak = S(0);                          // N, largest normal force since the point touched
+  S peak = S(0);  // N, largest normal force since the point touched, if the springs stiffen with it
   bool slides = false;
 };
 
@@ -73,19 +74,25 @@ Vector3<S> transport_slip(const Vector3<U>& slip, const Vector3<U>& from, const 
 }
 
 // Coefficients at the square of the tangential speed [m²/s²]. They fall from those at rest to the kinetic
-// ones with exp(-(v/v0)²) (Armstrong-Hélouvry, Dupont, Canudas de Wit 1994, Automatica 30, with exponent 2).
+// ones with exp(-(v/v0)²) (Armstrong-Hélouvry, Dupont, Canudas de Wit 1994, Automatica 30, with exponent 2),
+// and are the kinetic ones where that is 1e-12: kinetic coefficients of 0 would vanish below all numbers.
 template <class S>
 Coulomb<S> coulomb_at(const FrictionLaw& law, const S& speed2) {
   using std::exp;
+  constexpr double kFast = 27.6;  // (v/v0)²
+  if (speed2 > kFast * law.blend_speed * law.blend_speed)
+    return {S(law.axial_kinetic), S(law.lateral_kinetic)};
   const S static_weight = exp(S(speed2 * (-1 / (law.blend_speed * law.blend_speed))));
   return {S(static_weight * (law.axial - law.axial_kinetic) + law.axial_kinetic),
           S(static_weight * (law.lateral - law.lateral_kinetic) + law.lateral_kinetic)};
 }
 
-// Stiffness k of an isotropic law with the peak of the normal force [N], N/m.
+// Stiffness k of an isotropic law under the normal force N with its peak [N], N/m.
 template <class S, class M>
-S isotropic_stiffness(const FrictionLaw& law, const Coulomb<M>& mu, const S& peak) {
-  return law.stiffness > 0 ? S(law.stiffness) : S(peak * M(mu.axial / law.axial_length));
+S isotropic_stiffness(const FrictionLaw& law, const Coulomb<M>& mu, const S& N, const S& peak) {
+  if (law.stiffness > 0) return S(law.stiffness);
+  if (law.stiffens()) return S(peak * (law.axial / law.axial_length));
+  return S(N * M(mu.axial / law.axial_length));
 }
 
 // Friction of a spring that slides if its slip exceeds `limit` [m].
@@ -114,7 +121,7 @@ Friction<S> damped_friction(const FrictionLaw& law, const Coulomb<M>& mu, const 
                             const Vector3<S>& s0, const Vector3<S>& d, double h) {
   if (!(N > 0.0) || !(mu.axial > 0.0)) return {};
   using std::sqrt;
-  const S k = isotropic_stiffness(law, mu, peak);
+  const S k = isotropic_stiffness(law, mu, N, peak);
   const S damped = k + sqrt(k) * S(law.damping / h);
   const S w = k / damped;
   Friction<S> r = on_spring<S>(s0 * w + d, N * mu.axial / damped, damped);
@@ -127,9 +134,9 @@ Friction<S> damped_friction(const FrictionLaw& law, const Coulomb<M>& mu, const 
 // that apply.
 //
 // With a stiffness k the force is f = -k s, limited by the slip surface (f_a/mu_a)² + (f_l/mu_l)² <= N². With
-// mobilisation lengths it is that of FrictionSpring, limited by (s_a/d_a)² + (s_l/d_l)² <= (N/P)², with P = N
-// for michalopoulos, which is the same surface. A slip beyond it returns to it by FrictionReturn. A direction
-// with mu = 0 has neither slip nor force.
+// mobilisation lengths it is that of FrictionSpring, limited by the same surface: (s_a/d_a)² + (s_l/d_l)² <=
+// 1 for michalopoulos, and for elliptic with d_i mu_i N/(mu0_i P) in place of d_i, mu0 at rest. A slip beyond
+// it returns to it by FrictionReturn. A direction with mu = 0 has neither slip nor force.
 template <class S, class M, class U = double>
 Friction<S> friction(const FrictionLaw& law, const Coulomb<M>& mu, const S& N, const S& peak,
                      const Vector3<S>& slip, const Vector3<S>& normal, const Vector3<U>& tangent) {
@@ -137,8 +144,10 @@ Friction<S> friction(const FrictionLaw& law, const Coulomb<M>& mu, const S& N, c
   if (!(N > 0.0)) return r;
   using std::abs, std::sqrt;
   if (law.isotropic()) {
-    const S stiffness = law.stiffens() ? isotropic_stiffness(law, mu, peak) : isotropic_stiffness(law, mu, N);
-    return mu.axial > 0.0 ? on_spring(slip, S(N * mu.axial / stiffness), stiffness) : r;
+    if (!(mu.axial > 0.0)) return r;
+    const S stiffness = isotropic_stiffness(law, mu, N, peak);
+    const bool fixed = law.stiffness > 0 || law.stiffens();
+    return on_spring(slip, fixed ? S(N * mu.axial / stiffness) : S(law.axial_length), stiffness);
   }
   Vector3<S> a = tangent.template cast<S>();
   a -= normal * S(a.dot(normal));
@@ -158,12 +167,15 @@ Friction<S> friction(const FrictionLaw& law, const Coulomb<M>& mu, const S& N, c
     e.axis[0] = holds_a ? S(N * M(mu.axial / k)) : S(1);
     e.axis[1] = holds_l ? S(N * M(mu.lateral / k)) : S(1);
   } else {
-    const S part = law.stiffens() ? S(N / peak) : S(1);
-    e.axis[0] = part * law.axial_length;
-    e.axis[1] = part * law.lateral_length;
-    if (law.spring == FrictionSpring::elliptic && law.return_rule == FrictionReturn::associated) {
-      if (holds_a) e.stiffness[0] = S(mu.axial / law.axial_length);
-      if (holds_l) e.stiffness[1] = S(mu.lateral / law.lateral_length);
+    e.axis[0] = S(law.axial_length);
+    e.axis[1] = S(law.lateral_length);
+    if (law.stiffens()) {
+      if (holds_a) e.axis[0] *= S(N / peak) * S(mu.axial / law.axial);
+      if (holds_l) e.axis[1] *= S(N / peak) * S(mu.lateral / law.lateral);
+      if (law.return_rule == FrictionReturn::associated) {
+        if (holds_a) e.stiffness[0] = S(law.axial / law.axial_length);
+        if (holds_l) e.stiffness[1] = S(law.lateral / law.lateral_length);
+      }
     }
   }
   r.slides = e.return_to_limit(law.return_rule);
@@ -171,8 +183,8 @@ Friction<S> friction(const FrictionLaw& law, const Coulomb<M>& mu, const S& N, c
   if (k > 0) {
     r.force = r.slip * S(-k);
   } else if (law.spring == FrictionSpring::elliptic) {
-    const S ka = peak * M(mu.axial / law.axial_length);
-    const S kl = peak * M(mu.lateral / law.lateral_length);
+    const S ka = peak * (law.axial / law.axial_length);
+    const S kl = peak * (law.lateral / law.lateral_length);
     r.force = a * S(-(ka * e.slip[0])) + l * S(-(kl * e.slip[1]));
   } else {
     const S s2 = e.slip[0] * e.slip[0] + e.slip[1] * e.slip[1];

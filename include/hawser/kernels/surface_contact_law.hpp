@@ -23,7 +23,7 @@ struct ContactStartOf {
   Vector3<U> tangent = Vector3<U>::UnitX();  // of the line, unit
   Vector3<U> slip = Vector3<U>::Zero();      // m, elastic slip; zero if the point did not touch
   Vector3<U> normal = Vector3<U>::UnitZ();   // surface normal to which the slip belongs
-  U peak = U(0);                             // N, largest normal force since the point touched
+  U peak = U(0);                             // N, largest normal force since the point touched; 0: none yet
 };
 using ContactStart = ContactStartOf<double>;
 

@@ -30,16 +30,24 @@ bool previous_slip(const Points& points, double xi, ContactStart& s, ContactRate
     s.peak = p->peak;
     return true;
   }
+  // With peaks P the force P s of the springs is interpolated: its energy (P s)²/(2 P) is convex in P s and
+  // P, so that none is generated.
   const double gap = b->xi - a->xi;
   const double t = (xi - a->xi) / gap;
-  const SlipBetween between = slip_between(a->slip, a->normal, b->slip, b->normal, t, rates != nullptr);
+  s.peak = (1 - t) * a->peak + t * b->peak;
+  double of_b = t;
+  double of_b_by_t = 1;
+  if (s.peak > 0) {
+    of_b *= b->peak / s.peak;
+    of_b_by_t = a->peak * b->peak / (s.peak * s.peak);
+  }
+  const SlipBetween between = slip_between(a->slip, a->normal, b->slip, b->normal, of_b, rates != nullptr);
   s.slip = between.slip;
   s.normal = between.normal;
-  s.peak = (1 - t) * a->peak + t * b->peak;
   if (rates) {
     rates->start_peak = (b->peak - a->peak) / gap;
-    rates->start_slip = between.slip_by_t / gap;
-    rates->start_normal = between.normal_by_t / gap;
+    rates->start_slip = between.slip_by_t * (of_b_by_t / gap);
+    rates->start_normal = between.normal_by_t * (of_b_by_t / gap);
   }
   return true;
 }

@@ -16,7 +16,7 @@ namespace hawser {
 // Contact point with its elastic slip.
 struct SurfaceContactPoint : ContactPoint {
   Vec3 slip = Vec3::Zero();  // m
-  double peak = 0;           // N or N/m, largest normal force since the touch, with friction
+  double peak = 0;  // N or N/m, largest normal force since the touch; 0 in statics, a path not in time
 
   SurfaceContactPoint() = default;
   SurfaceContactPoint(const ContactForce& c, const Vec3& n) : slip(c.slip), peak(c.peak) {
