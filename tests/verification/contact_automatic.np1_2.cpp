@@ -257,7 +257,7 @@ TEST(Drawn, TensionGrowsAHundredfold) {
   EXPECT_LE(after.depth, 0.05 * kLine);
   EXPECT_NEAR(after.ratio, std::exp(0.3 * M_PI), 0.01 * std::exp(0.3 * M_PI));
   EXPECT_LT(std::abs(after.problem), 0.01);
-  EXPECT_LT(after.steps, 1100);  // the tension rises from 5e-5 of its largest, which divides steps
+  EXPECT_LT(after.steps, 1250);  // the tension rises from 5e-5 of its largest, which divides steps
 }
 
 // A restart continues with the stiffness that the first part has raised.
