@@ -51,7 +51,8 @@ Key friction(const Field& field) {
                                     length, "along the line", above(0), required),
                              number({"lateral", &Friction::lateral_mobilisation_length}, length,
                                     "across the line", above(0), required)})},
-                   "slip at which friction is fully mobilised under the largest normal force since the touch",
+                   "slip at which friction is fully mobilised under the largest normal force since the point "
+                   "touched",
                    or_else_note("1 % of the contact diameter")),
             number({"shear_stiffness", &Friction::shear_stiffness}, none,
                    "stiffness of the friction spring before slip, in the unit of `normal_stiffness`",
@@ -64,7 +65,8 @@ Key friction(const Field& field) {
             word({"stick", &Friction::spring},
                  {{"elliptic", FrictionSpring::elliptic}, {"michalopoulos", FrictionSpring::michalopoulos}},
                  "law before slip for given mobilisation lengths: `elliptic`, one spring in each direction, "
-                 "with the stiffness of the largest normal force since the touch, so that no path generates "
+                 "with the stiffness of the largest normal force since the point touched, so that no path "
+                 "generates "
                  "energy; `michalopoulos`, the law of OMAE2006-92155 (Michalopoulos 1986), whose stiffness "
                  "follows the normal force and whose closed paths may generate energy",
                  or_else("elliptic"))},

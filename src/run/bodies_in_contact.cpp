@@ -97,9 +97,8 @@ struct MovedOnSurface {
 };
 
 MovedOnSurface moved_on_surface(const model::Case& c, const RestsOnBody& on, const Vec3& force,
+                                const std::vector<RigidPose>& start,
                                 const std::vector<RigidPose>& equilibrium) {
-  std::vector<RigidPose> start;
-  for (const model::Body& b : c.bodies) start.push_back(model::pose_at_start(b));
   const RelativePose from = relative_pose(c, on, start);
   const RelativePose to = relative_pose(c, on, equilibrium);
   const Vec3 moved = to.place - from.place;
@@ -204,11 +203,14 @@ std::vector<std::string> bodies_moved_by_statics(const model::Case& c, const Sys
   const std::map<int, RestsOn> rests = contacts_with_friction(c, friction, all);
   std::vector<std::string> out;
   if (!friction_in_statics) out = bodies_off_volumes(c, friction, rests, at_start);
+  std::vector<RigidPose> start;
+  for (const model::Body& b : c.bodies) start.push_back(model::pose_at_start(b));
   for (const auto& [body, on] : rests) {
     const model::BodyMass& m = *c.bodies[body].mass;
     if (!m.weight || !(on.force.z() > kRests * m.mass * c.environment.gravity)) continue;
     const model::Volume& volume = c.volumes[on.volume];
-    const MovedOnSurface moved = moved_on_surface(c, {body, c.body_index(volume.body)}, on.force, poses);
+    const MovedOnSurface moved =
+        moved_on_surface(c, {body, c.body_index(volume.body)}, on.force, start, poses);
     if (moved.tilted > kTopples)
       out.push_back(advice::toppled_in_statics(c.bodies[body].name, moved.tilted, volume.name));
     if (moved.along > significant(m) && !friction_in_statics)

@@ -170,8 +170,7 @@ void BedContact::commit(const Kinematics& accepted) {
     const PointHistory& last = history(p);
     PointHistory next;
     if (c.along_normal.elastic > 0) {
-      next = PointHistory(c, at.normal);
-      if (!accepted.moves()) next.peak = 0;
+      next = PointHistory(c, at.normal, accepted.moves());
       next.active = true;
     }
     const SuctionState before = suction_state(p, accepted);

@@ -197,8 +197,8 @@ void BodyContact::contact_of_edge(const Pair& pair, const PairFrames& at, const 
       points.add_moving_ends(law, start, q.surface, z, e.radius, point, slope, rates,
                              std::span(moving).first(n));
     if (friction.points && point.elastic_force() > 0)
-      touching.push_back({q.xi, panel.from, panel.to, point.weight, point.slip, point.normal, point.friction,
-                          mode.moves ? point.peak : 0});
+      touching.push_back(
+          {q.xi, panel.from, panel.to, point.weight, point.slip, point.normal, point.friction, point.peak});
   }
   if (friction.points) friction.points->add(volumes_[pair.a].skeleton.features.index(e), touching);
 }
@@ -226,14 +226,8 @@ BodyContact::Sum BodyContact::contact(const Pair& pair, const PairFrames& at, co
     if (friction.damping) add_damping_work(pair, p.from, z, at_point, *friction.damping);
     if (friction.pressed) add_pressed(pair, p.from, p.radius, *s, *friction.pressed);
     if (!friction.points || !(at_point.normal_force > 0)) return;
-    const BodyFrictionPoint touching_point{0,
-                                           0,
-                                           0,
-                                           at_point.weight,
-                                           at_point.slip,
-                                           at_point.normal,
-                                           at_point.friction,
-                                           mode.moves ? at_point.peak : 0};
+    const BodyFrictionPoint touching_point{
+        0, 0, 0, at_point.weight, at_point.slip, at_point.normal, at_point.friction, at_point.peak};
     friction.points->add(volumes_[pair.a].skeleton.features.index(p), {&touching_point, 1});
   };
   volumes_[pair.a].skeleton.features.walk(

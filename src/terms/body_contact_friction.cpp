@@ -2,6 +2,7 @@
 // history in a checkpoint.
 #include <mpi.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "hawser/base/mpi.hpp"
@@ -90,18 +91,14 @@ double BodyContact::half_dissipation(const Pair& pair, const PairFrames& trial,
   return sum;
 }
 
-// k' = k_t + c_t/h, c_t = damping sqrt(k_t), of all points under their mean normal force and the
-// largest of their peaks: an upper bound.
+// k' = k_t + c_t/h, c_t = damping sqrt(k_t), of all points with the largest of their peaks: an upper
+// bound.
 double BodyContact::friction_stiffness(const Pair& pair, double h) const {
   const FrictionLaw law = slipping(pair, h).law;
   if (!law.active() || !(pair.points.weight > 0)) return 0;
   const Coulomb<double> mu{law.axial, law.lateral};
   const double N = pair.points.force / pair.points.weight;
-  double peak = N;
-  pair.touching.each([&](int, std::span<const BodyFrictionPoint> touching) {
-    for (const BodyFrictionPoint& p : touching) peak = std::max(peak, p.peak);
-  });
-  const double k = isotropic_stiffness(law, mu, N, peak);
+  const double k = isotropic_stiffness(law, mu, N, std::max(N, pair.points.peak));
   const double damper = h > 0 ? law.damping * std::sqrt(k) / h : 0;
   return pair.points.weight * (k + damper);
 }

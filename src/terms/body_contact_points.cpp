@@ -48,7 +48,7 @@ AxisContactPoint BodyContactPoints::add(const ContactLaw& law, const ContactStar
   const ContactTrial trial = this->trial(at, z, radius);
   const BallContact c = radius > 0 ? ball_contact(law, start, trial, turned_, mode_.tangent)
                                    : BallContact{surface_contact(law, start, trial, mode_.tangent)};
-  AxisContactPoint point(c, trial.normal);
+  AxisContactPoint point(c, trial.normal, mode_.moves);
   point.weight = weight;
   point.gap = trial.gap;
   if (c.along_normal.elastic > 0) {
@@ -59,6 +59,7 @@ AxisContactPoint BodyContactPoints::add(const ContactLaw& law, const ContactStar
   if (!(c.along_normal.force > 0)) return point;
   touching_.weight += weight;
   touching_.force += weight * c.along_normal.force;
+  touching_.peak = std::max(touching_.peak, point.peak);
   touching_.lever_a = std::max(touching_.lever_a, arm.norm());
   touching_.lever_b = std::max(touching_.lever_b, (z - surface_centre_).norm());
   const Vec3 f = -weight * c.force;

@@ -125,7 +125,7 @@ void AxisContact::add_panel(const ContactQuadrature& contact, size_t panel, cons
     if (!(q->surface.distance <= contact_distance)) continue;
     Sample p = sample(*q, s, law, functions, ends_move);
     if (p.contact.along_normal.elastic > 0 && points) {
-      AxisContactPoint& point = points->emplace_back(p.contact, p.trial.normal);
+      AxisContactPoint& point = points->emplace_back(p.contact, p.trial.normal, mode_.moves);
       point.xi = p.xi;
       point.from = s.from;
       point.to = s.to;

@@ -20,10 +20,8 @@ void LineVolumeContact::commit(const Kinematics& accepted) {
     }
     pair.trial.evaluation = Pair::Evaluation::none;
     pair.trial.evaluated.clear();
-    for (AxisContactPoint& p : next) {
-      if (!accepted.moves()) p.peak = 0;
+    for (const AxisContactPoint& p : next)
       accounts_[pair.element].reaches(-p.gap, accepted.time, pair.volume, p.xi < 0.5 ? 0 : 1);
-    }
     if (accepted.moves() && !(next.empty() && pair.start.points.empty()))
       account(pair, AxisShape(ends(accepted, pair.element)), next);
     pair.start.points = std::move(next);

@@ -14,10 +14,9 @@ namespace hawser {
 
 // Friction with mobilisation lengths d, while it sticks. elliptic: f_i = -mu_i P s_i/d_i, one spring in each
 // direction, with the coefficient at rest and the peak P of the normal force (FrictionLaw::stiffens); no
-// closed path generates energy.
-// michalopoulos: f_i = -mu_i N R s_i/|s|, R² =
-// (s_a/d_a)² + (s_l/d_l)² (Michalopoulos 1986; OMAE2006-92155, eqs 6-10); it has no potential unless the
-// lengths are equal.
+// closed path generates energy. michalopoulos: f_i = -mu_i N R s_i/|s|, R² = (s_a/d_a)² + (s_l/d_l)²
+// (Michalopoulos 1986; OMAE2006-92155, eqs 6-10); it has no potential unless the lengths are equal and N is
+// constant.
 enum class FrictionSpring { elliptic, michalopoulos };
 
 struct FrictionLaw {
@@ -146,8 +145,7 @@ Friction<S> friction(const FrictionLaw& law, const Coulomb<M>& mu, const S& N, c
   if (law.isotropic()) {
     if (!(mu.axial > 0.0)) return r;
     const S stiffness = isotropic_stiffness(law, mu, N, peak);
-    const bool fixed = law.stiffness > 0 || law.stiffens();
-    return on_spring(slip, fixed ? S(N * mu.axial / stiffness) : S(law.axial_length), stiffness);
+    return on_spring(slip, S(N * mu.axial / stiffness), stiffness);
   }
   Vector3<S> a = tangent.template cast<S>();
   a -= normal * S(a.dot(normal));

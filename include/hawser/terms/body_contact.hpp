@@ -67,6 +67,7 @@ struct BodyVolume {
 struct TouchingPoints {
   double weight = 0;                // sum of the weights: number, length [m] or area [m²]
   double force = 0;                 // N, sum of the normal forces
+  double peak = 0;                  // N, N/m or N/m², largest SurfaceContactPoint::peak
   double lever_a = 0, lever_b = 0;  // m
 };
 

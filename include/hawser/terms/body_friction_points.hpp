@@ -16,7 +16,7 @@ struct BodyFrictionPoint {
   double weight = 1;
   Vec3 slip = Vec3::Zero(), normal = Vec3::UnitZ();  // m, elastic slip
   Vec3 friction = Vec3::Zero();                      // N, N/m or N/m²
-  double peak = 0;  // the same, largest normal force since the touch; 0 in statics, a path not in time
+  double peak = 0;  // the same, largest normal force since the point touched; 0 in statics
 
   template <class Self, class Each>
   static void quantities(Self& self, Each&& each) {

@@ -16,10 +16,12 @@ namespace hawser {
 // Contact point with its elastic slip.
 struct SurfaceContactPoint : ContactPoint {
   Vec3 slip = Vec3::Zero();  // m
-  double peak = 0;  // N or N/m, largest normal force since the touch; 0 in statics, a path not in time
+  double peak = 0;           // N or N/m, largest normal force since the point touched; 0 in statics
 
   SurfaceContactPoint() = default;
-  SurfaceContactPoint(const ContactForce& c, const Vec3& n) : slip(c.slip), peak(c.peak) {
+  // moves: not in statics, where loads have no order in time and springs of friction follow the normal force.
+  SurfaceContactPoint(const ContactForce& c, const Vec3& n, bool moves)
+      : slip(c.slip), peak(moves ? c.peak : 0) {
     normal = n;
     force = c.force;
     friction = c.friction;
