@@ -203,8 +203,9 @@ std::vector<std::string> bodies_moved_by_statics(const model::Case& c, const Sys
   const std::map<int, RestsOn> rests = contacts_with_friction(c, friction, all);
   std::vector<std::string> out;
   if (!friction_in_statics) out = bodies_off_volumes(c, friction, rests, at_start);
-  std::vector<RigidPose> start;
-  for (const model::Body& b : c.bodies) start.push_back(model::pose_at_start(b));
+  std::vector<RigidPose> start(c.bodies.size());
+  for (size_t b = 0; b < start.size(); ++b)
+    if (c.bodies.has(b)) start[b] = model::pose_at_start(c.bodies[b]);  // all bodies with volumes are kept
   for (const auto& [body, on] : rests) {
     const model::BodyMass& m = *c.bodies[body].mass;
     if (!m.weight || !(on.force.z() > kRests * m.mass * c.environment.gravity)) continue;

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <iostream>
 #include <map>
 #include <sstream>
 #include <stdexcept>
@@ -77,9 +78,12 @@ inline void run(MPI_Comm comm, const Run& r) {
   o.restart = r.restart;
   o.stop_at = r.stop_at;
   o.quiet = true;
-  // Exceptions end here, because other ranks may be waiting.
+  // Other ranks may be waiting: errors of the case are thrown on all ranks, other errors on one.
   try {
     EXPECT_EQ(run::run(comm, o), 0);
+  } catch (const std::logic_error& e) {
+    std::cerr << "rank " << rank_of(MPI_COMM_WORLD) << ": " << e.what() << std::endl;
+    MPI_Abort(MPI_COMM_WORLD, 1);
   } catch (const std::exception& e) {
     ADD_FAILURE() << e.what();
   }
