@@ -1,8 +1,9 @@
 // The flat or curved facets of a mesh, and search for the nearest of a subset of them.
 #pragma once
 
-#include <algorithm>
-#include <cmath>
+#include <array>
+#include <cstddef>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -14,6 +15,10 @@
 #include "hawser/geometry/triangle_mesh.hpp"
 
 namespace hawser::detail {
+
+struct DistanceBounds {
+  double lower, upper;  // m
+};
 
 class Facets {
  public:
@@ -43,21 +48,11 @@ class Facets {
   // Bounding box of the facet with its bulge.
   Box box(int t) const;
   PatchPoint closest(int t, const Vec3& y) const;
-  // Squared distance of the flat facet from y, m²; equal to that of closest() except for rounding, and
-  // faster.
-  double squared_distance(int t, const Vec3& y) const;
-  // False if the facet is certainly farther than `reach` [m] from y, from the distance of the flat facet and
-  // the bulge. Much faster than closest().
-  bool may_reach(int t, const Vec3& y, double reach) const {
-    const double far = reach + bulge(t);
-    return !(squared_distance(t, y) > far * far);
-  }
-  // Lower bound of the facet's distance from y by the distance of the flat facet and the bulge, m.
-  double distance_less_bulge(int t, const Vec3& y) const {
-    return std::max(0.0, std::sqrt(squared_distance(t, y)) - bulge(t));
-  }
-  // Lower bound of the facet's distance from y, m; the distance itself where that is certain.
-  double least_distance(int t, const Vec3& y) const;
+  // Of the facet's distance from y, except for rounding; much faster than closest(). They are sharp unless
+  // the facet is farther than `reach` [m].
+  DistanceBounds bounds(int t, const Vec3& y, double reach) const;
+  // False if the facet is certainly farther than `reach` [m] from y.
+  bool may_reach(int t, const Vec3& y, double reach) const { return !(bounds(t, y, reach).lower > reach); }
   bool has(int t) const { return t >= 0 && static_cast<std::size_t>(t) < triangles_.size(); }
   template <class Self, class P>
   static void pack(Self& self, P& p) {
@@ -76,24 +71,39 @@ class Facets {
   std::vector<bool> thin_;                            // facets so thin that their distances need care
 };
 
-// Nearest of the visited facets within max_distance [m]. tree: of all facets.
+// Nearest of the facets that are offered, within max_distance [m]. Facets wait with the bounds of their
+// distance until all have been offered, so that the nearest point of few of them is computed. tree: of all
+// facets.
 class NearestFacet {
-  const Facets& facets_;
-  const Vec3& y_;
-  double rounding_;
-
  public:
   struct Foot : PatchPoint {
     int triangle = 0;
   };
   NearestFacet(const Facets& facets, const BoxTree& tree, const Vec3& y, double max_distance);
-  // Of facets at equal distance the one with the lowest index remains, whatever the order.
+  // Offers facets, each once; visit() one that is probably the nearest, first of all.
   void visit(int t);
-  double squared, reach;  // m², m: search limit, with a margin for rounding
-  std::optional<Foot> foot;
+  void offer(int t);
+  // Of facets at equal distance the one with the lowest index, whatever the order.
+  std::optional<Foot> foot();
+  // m, m²: farther facets do not matter; with a margin for rounding.
+  double reach = std::numeric_limits<double>::infinity();
+  double squared_reach = std::numeric_limits<double>::infinity();
 
  private:
-  double padded() const;
+  struct Waiting {
+    int triangle;
+    DistanceBounds bounds;
+  };
+  void limit(double distance);
+  void settle();
+
+  const Facets& facets_;
+  const Vec3& y_;
+  double rounding_;
+  double squared_;  // m², of foot_, initially max_distance²
+  std::optional<Foot> foot_;
+  std::array<Waiting, 16> waiting_;
+  std::size_t count_ = 0;  // of them
 };
 
 // Search among the facets with their flag set (empty: all): by the spatial hash for near facets if all are

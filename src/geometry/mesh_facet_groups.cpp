@@ -263,14 +263,15 @@ std::optional<MeshFacetGroups::Foot> MeshFacetGroups::nearest(const FacetGroup& 
     }
   if (first) best.visit(first->triangle);
   for (const FacetGroup::Facet& f : group.facets) {
-    const double far = std::sqrt(best.squared) + f.radius;
-    if (&f != first && (f.centre - y).squaredNorm() <= far * far * (1 + 1e-12)) best.visit(f.triangle);
+    const double far = best.reach + f.radius;
+    if (&f != first && (f.centre - y).squaredNorm() <= far * far) best.offer(f.triangle);
   }
-  if (!best.foot) return std::nullopt;
-  const Vec3 normal = pseudonormal(group, *best.foot);
-  const bool flat = best.foot->feature == Feature::face && !facets_.curved(best.foot->triangle);
-  const Vec3& on_facet = flat ? facets_.corner(best.foot->triangle, 0) : best.foot->point;
-  return Foot{*best.foot, normal, normal.dot(y - on_facet) >= 0};
+  const auto foot = best.foot();
+  if (!foot) return std::nullopt;
+  const Vec3 normal = pseudonormal(group, *foot);
+  const bool flat = foot->feature == Feature::face && !facets_.curved(foot->triangle);
+  const Vec3& on_facet = flat ? facets_.corner(foot->triangle, 0) : foot->point;
+  return Foot{*foot, normal, normal.dot(y - on_facet) >= 0};
 }
 
 // Facets that may come within reach of the axis, sorted by triangle; empty if there is certainly one facet

@@ -350,9 +350,8 @@ double MeshSurface::free_radius(const Vec3& y, double distance, int hint) const 
   double squared = distance * distance;
   const auto visit = [&](int t) {
     if (!facets.curved(t)) return;
-    const double lower_bound = facets.distance_less_bulge(t, y);
-    if (lower_bound * lower_bound < squared && !one_nearest_point(y, facets.patch(t)))
-      squared = lower_bound * lower_bound;
+    const double lower = std::max(0.0, facets.bounds(t, y, std::sqrt(squared)).lower);
+    if (lower * lower < squared && !one_nearest_point(y, facets.patch(t))) squared = lower * lower;
   };
   if (facets.any_curved()) data_->active.tree().nearest(y, squared, visit);
   return data_->distance_to_closure(y, std::sqrt(squared), hint);

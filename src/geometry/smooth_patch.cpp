@@ -82,6 +82,25 @@ double SmoothPatch::bulge() const {
   return std::min(largest / 3, sum / 4);
 }
 
+// A quadratic polynomial of (u, v): its least value is on an edge or where its derivatives are zero.
+double SmoothPatch::least(const Vec3& y, const Vec3& r) const {
+  const std::array<double, 3> f{r.dot(y - p[0]), r.dot(y - p[1]), r.dot(y - p[2])};
+  const std::array<double, 3> k{r.dot(c[0]), r.dot(c[1]), r.dot(c[2])};
+  double least = std::min({f[0], f[1], f[2]});
+  for (std::size_t i = 0; i < 3; ++i) {  // f + s (g - f) - s (1 - s) k
+    const double twice = k[i] + f[i] - f[(i + 1) % 3];
+    if (twice > 0 && twice < 2 * k[i]) least = std::min(least, f[i] - twice * twice / (4 * k[i]));
+  }
+  const double uv = k[0] + k[2] - k[1];
+  const double det = 4 * k[0] * k[2] - uv * uv;
+  if (!(k[0] > 0 && det > 0)) return least;
+  const double by_u = f[1] - f[0] - k[0];
+  const double by_v = f[2] - f[0] - k[2];
+  const double u = (uv * by_v - 2 * k[2] * by_u) / det;
+  const double v = (uv * by_u - 2 * k[0] * by_v) / det;
+  return u > 0 && v > 0 && u + v < 1 ? std::min(least, f[0] + 0.5 * (by_u * u + by_v * v)) : least;
+}
+
 std::array<double, 2> on_edge(int i, double s) {
   if (i == 0) return {s, 0};
   if (i == 1) return {1 - s, s};

@@ -37,8 +37,7 @@ std::optional<SurfacePoint> LineVolumeFinder::query(LineVolumePair& pair, int gr
     return surface(pair).query_group(*only, y, within, either_side);
   // In each trial and each step, points in contact are queried near the same places of the surface.
   if (pair.start.points.empty()) return surface(pair).query(y, within, pair.cache.hint);
-  if (pair.trial.queries == pair.cache.near_facets.size()) pair.cache.near_facets.emplace_back();
-  return surface(pair).query_again(y, within, pair.cache.hint, pair.cache.near_facets[pair.trial.queries++]);
+  return surface(pair).query_again(y, within, pair.cache.hint, pair.cache.near_facets.about(y));
 }
 
 bool LineVolumeFinder::one_facet_group(const LineVolumePair& pair, double motion) const {

@@ -156,7 +156,6 @@ const std::vector<ContactInterval>& LineVolumeFinder::intervals_at_start(LineVol
 std::vector<ContactInterval> LineVolumeFinder::locate(LineVolumePair& pair, int group, const AxisShape& shape,
                                                       const RigidPose& pose) const {
   const std::vector<ContactInterval>& before = intervals_at_start(pair);
-  pair.trial.queries = 0;
   Gap gap(*this, pair, group, shape, pose, places_);
   const bool near = gap.may_touch();
   // If the element touched all along, contact is not expected to begin, end or lift off within it, and fewer
@@ -187,7 +186,6 @@ void LineVolumeFinder::find_along(LineVolumePair& pair, int group, const AxisSha
 void LineVolumeFinder::find_at_nodes(LineVolumePair& pair, int group, const AxisShape& shape,
                                      const RigidPose& pose) const {
   ContactQuadrature& f = pair.trial.contact;
-  pair.trial.queries = 0;
   Gap gap(*this, pair, group, shape, pose, places_);
   // The middle cannot show contact behind one of several facet groups.
   const bool near = by_gap() || pair.group(group) || gap.may_touch();
@@ -219,15 +217,11 @@ const ContactQuadrature& LineVolumeFinder::search(LineVolumePair& pair, const Ax
     pair.trial.evaluation = LineVolumePair::Evaluation::none;
   if (!same) pair.trial.contact.clear();
   pair.trial.contact.configuration = {true, shape, pose};
-  if (same) {
-    pair.trial.queries = pair.trial.queries_of_search;
-    return pair.trial.contact;
-  }
+  if (same) return pair.trial.contact;
   pair.trial.near = {};
   if (pair.start.several_groups) find_facet_groups(pair, shape, pose);
   for (int w = 0; w < pair.facet_groups(); ++w)
     at_nodes() ? find_at_nodes(pair, w, shape, pose) : find_along(pair, w, shape, pose);
-  pair.trial.queries_of_search = pair.trial.queries;
   return pair.trial.contact;
 }
 

@@ -238,6 +238,32 @@ TEST(GeometrySmoothSurface, NormalAndCurvatureAreDerivatives) {
   EXPECT_GT(edges, 100);
 }
 
+// The least value over a patch against a grid with n intervals, between whose points a quadratic polynomial
+// falls by at most a third of the largest bend per n².
+TEST(GeometrySmoothSurface, LeastDistanceFromAPlane) {
+  Random random(8);
+  int on_corner = 0, elsewhere = 0;
+  for (int i = 0; i < 300; ++i) {
+    const double bend = random(0.0, 2.0);
+    const SmoothPatch q{{random.vec(), random.vec(), random.vec()},
+                        {bend * random.vec(), bend * random.vec(), bend * random.vec()}};
+    const Vec3 y = 2 * random.vec();
+    const Vec3 r = random.vec();
+    const double least = q.least(y, r);
+    constexpr int kSteps = 60;
+    double least_of_grid = kInfinity;
+    for (int a = 0; a <= kSteps; ++a)
+      for (int b = 0; a + b <= kSteps; ++b)
+        least_of_grid = std::min(least_of_grid, r.dot(y - q.point(a / (1.0 * kSteps), b / (1.0 * kSteps))));
+    const double largest = std::max({q.c[0].norm(), q.c[1].norm(), q.c[2].norm()});
+    ASSERT_LE(least, least_of_grid + 1e-13);
+    ASSERT_GE(least, least_of_grid - largest * r.norm() / (3.0 * kSteps * kSteps) - 1e-13);
+    (least_of_grid - least < 1e-13 ? on_corner : elsewhere)++;
+  }
+  EXPECT_GT(on_corner, 50);
+  EXPECT_GT(elsewhere, 50);
+}
+
 // Nearest point against a fine grid on the patch and against all patches.
 TEST(GeometrySmoothSurface, NearestOfAll) {
   for (const double noise : {0.0, 0.03, 0.08}) {
@@ -265,6 +291,30 @@ TEST(GeometrySmoothSurface, NearestOfAll) {
           ASSERT_GE((y - q.point(a / 20.0, b / 20.0)).norm(), std::sqrt(best) * (1 - 1e-12));
     }
   }
+}
+
+// Lists of facets about several places of an axis suffice for all points near it, in any order.
+TEST(GeometrySmoothSurface, ListsAlongAnAxis) {
+  const TriangleMesh m = rough_mesh(0.03);
+  const MeshSurface surface(m, {}, kSmooth);
+  Random random(9);
+  NearFacetLists lists;
+  int searches = 0;
+  constexpr int kAll = 2000;
+  for (int i = 0; i < kAll; ++i) {
+    const Vec3 y = Vec3(0.2, random(-0.3, 0.3), 1.02) + 1e-3 * random.vec();
+    NearFacets& near = lists.about(y);
+    const Vec3 before = near.place;
+    const auto one = surface.query_again(y, kInfinity, -1, near);
+    const auto other = surface.query(y, kInfinity);
+    ASSERT_TRUE(one && other);
+    ASSERT_EQ(one->triangle, other->triangle);
+    ASSERT_EQ(one->distance, other->distance);
+    ASSERT_EQ(one->normal, other->normal);
+    searches += near.place != before;
+  }
+  printf("  %d searches in %d queries\n", searches, kAll);
+  EXPECT_LE(searches, kAll / 20);
 }
 
 // Cached facets do not change results, bit for bit, for any distance to the next query, also beyond centres

@@ -9,6 +9,7 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <vector>
 
 #include "hawser/math/types.hpp"
 
@@ -39,6 +40,34 @@ struct NearFacets {
     else
       others = std::min(others, f.lower_bound);
   }
+  // True if the list holds the nearest facet of y for certain, if its first lower bound is the distance d:
+  // that of y is at most d + |y - place|, and that of all other facets at least others - |y - place|.
+  bool suffices_for(const Vec3& y) const {
+    return count > 0 && 2 * (y - place).norm() < others - facets[0].lower_bound;
+  }
+};
+
+// Lists about several places, for queries along an axis.
+class NearFacetLists {
+ public:
+  // A list that suffices for y, the last one used if possible; if none does, one that can be replaced by a
+  // list about y: an empty one, or the oldest.
+  NearFacets& about(const Vec3& y) {
+    if (last_ < lists_.size() && lists_[last_].suffices_for(y)) return lists_[last_];
+    for (last_ = 0; last_ < lists_.size(); ++last_)
+      if (lists_[last_].suffices_for(y)) return lists_[last_];
+    if (!lists_.empty() && lists_.back().count == 0) return lists_.back();
+    if (lists_.size() < kMaxLists) return lists_.emplace_back();
+    oldest_ = (oldest_ + 1) % kMaxLists;
+    last_ = oldest_;
+    return lists_[last_];
+  }
+  void clear() { lists_.clear(); }
+
+ private:
+  static constexpr std::size_t kMaxLists = 32;
+  std::vector<NearFacets> lists_;
+  std::size_t last_ = 0, oldest_ = 0;
 };
 
 }  // namespace hawser

@@ -28,6 +28,9 @@ struct SmoothPatch {
   Vec3 normal(double u, double v) const { return by_u(u, v).cross(by_v(u, v)); }
   // Upper bound of the distance of the patch from the flat triangle, m.
   double bulge() const;
+  // Least value over the patch of r . (y - q); divided by |r|, a lower bound of the distance from y, for any
+  // r.
+  double least(const Vec3& y, const Vec3& r) const;
 };
 
 // (u, v) of the point s in [0, 1] on edge i.

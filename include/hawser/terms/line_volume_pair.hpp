@@ -47,9 +47,7 @@ struct PairStart {
 // Contact in a trial.
 struct PairTrial {
   ContactQuadrature contact;
-  NearGroups near;               // facet groups for the axis of `contact`
-  size_t queries = 0;            // of the surface in this trial
-  size_t queries_of_search = 0;  // in the search for `contact`
+  NearGroups near;  // facet groups for the axis of `contact`
   // Contact points from an evaluation of the law without derivatives, with or without velocities, at the
   // motion `contact.configuration`. commit() reuses them for the same state.
   enum class Evaluation { none, at_rest, in_motion };
@@ -64,8 +62,7 @@ struct PairCache {
   ClearanceTube clearance;
   int hint = -1;
   std::array<int, 3> ahead{-1, -1, -1};
-  // Facets near each queried point of the axis, in the order of the queries of a trial.
-  std::vector<NearFacets> near_facets;
+  NearFacetLists near_facets;
 };
 
 struct LineVolumePair {
