@@ -19,6 +19,9 @@ namespace {
 constexpr int kMaxIterations = 12, kEasyIterations = 4;
 constexpr int kMaxOnKinks = 24;      // limit where Newton's iteration has to find kinks
 constexpr double kReduction = 1e-4;  // of the imbalance, for a step to count as solved
+// The same after kMaxIterations: forces may jump at kinks whose secants converge slowly. The next step
+// includes what is left.
+constexpr double kReductionOnKinks = 0.1;
 // Growth of the imbalance beyond which Newton's iteration has diverged.
 constexpr double kDivergenceRatio = 1e6;
 // Factors of the mass after a rejected step, and after one of few iterations.
@@ -62,9 +65,9 @@ class Relaxation : StaticTrial {
       if (report.norms.small(settings_.tolerance)) return report;
       if (mass_ == 0) mass_ = smallest = first_mass(report.norms);
       const bool all_used = report.steps + report.rejected >= settings_.max_steps;
-      if (all_used || mass_ > kHeaviest * smallest || !std::isfinite(report.norms.relative()))
-        throw_no_rest(report, all_used);
-      if (test_progress(report)) {
+      if (all_used || !std::isfinite(report.norms.relative())) throw_no_rest(report, all_used);
+      const bool too_heavy = mass_ > kHeaviest * smallest;
+      if (too_heavy || test_progress(report)) {
         if (settings_.friction) report.remaining = small_remainder(report.norms);
         if (!report.remaining) throw_no_rest(report, all_used);
         return report;
@@ -218,6 +221,8 @@ class Relaxation : StaticTrial {
     }
     if (!std::isfinite(norms.force) || norms.relative() > divergence_limit_) return SNES_DIVERGED_DTOL;
     if (norms.relative() <= goal_) return SNES_CONVERGED_FNORM_RELATIVE;
+    if (iteration >= kMaxIterations && norms.relative() <= goal_ * (kReductionOnKinks / kReduction))
+      return SNES_CONVERGED_FNORM_RELATIVE;
     if (!kinks_.observe(local_.data(), r_.get(), norms.relative()))
       return iteration < kMaxIterations ? SNES_CONVERGED_ITERATING : SNES_DIVERGED_MAX_IT;
     const double goal = std::max(goal_, settings_.tolerance);
