@@ -19,8 +19,8 @@ namespace {
 constexpr int kMaxIterations = 12, kEasyIterations = 4;
 constexpr int kMaxOnKinks = 24;      // limit where Newton's iteration has to find kinks
 constexpr double kReduction = 1e-4;  // of the imbalance, for a step to count as solved
-// The same after kMaxIterations: forces may jump at kinks whose secants converge slowly. The next step
-// includes what is left.
+// The same with friction of contact after kMaxIterations: forces may jump at kinks whose secants converge
+// slowly. The next step includes what is left.
 constexpr double kReductionOnKinks = 0.1;
 // Growth of the imbalance beyond which Newton's iteration has diverged.
 constexpr double kDivergenceRatio = 1e6;
@@ -221,7 +221,8 @@ class Relaxation : StaticTrial {
     }
     if (!std::isfinite(norms.force) || norms.relative() > divergence_limit_) return SNES_DIVERGED_DTOL;
     if (norms.relative() <= goal_) return SNES_CONVERGED_FNORM_RELATIVE;
-    if (iteration >= kMaxIterations && norms.relative() <= goal_ * (kReductionOnKinks / kReduction))
+    if (settings_.friction && iteration >= kMaxIterations &&
+        norms.relative() <= goal_ * (kReductionOnKinks / kReduction))
       return SNES_CONVERGED_FNORM_RELATIVE;
     if (!kinks_.observe(local_.data(), r_.get(), norms.relative()))
       return iteration < kMaxIterations ? SNES_CONVERGED_ITERATING : SNES_DIVERGED_MAX_IT;

@@ -2,11 +2,10 @@
 // patch; creases; robustness for arbitrary meshes.
 #include <gtest/gtest.h>
 
-#include <random>
-
 #include "hawser/geometry/mesh_bends.hpp"
 #include "hawser/geometry/mesh_surface.hpp"
 #include "hawser/geometry/point_in_polyhedron.hpp"
+#include "support/rough_meshes.hpp"
 #include "support/shapes.hpp"
 
 namespace hawser::geometry_smooth_surface_test {
@@ -19,32 +18,6 @@ constexpr double kDegree = M_PI / 180;
 const MeshSurfaceOptions kSmooth{true};
 
 double angle(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
-
-class Random {
- public:
-  explicit Random(unsigned seed) : gen_(seed) {}
-  double operator()(double lo = -1, double hi = 1) {
-    return std::uniform_real_distribution<double>(lo, hi)(gen_);
-  }
-  Vec3 vec() {
-    const double x = (*this)();
-    const double y = (*this)();
-    return Vec3(x, y, (*this)());
-  }
-  std::size_t below(std::size_t n) { return gen_() % n; }
-
- private:
-  std::mt19937 gen_;
-};
-
-// An irregular sphere with dents, bumps and displaced corners.
-TriangleMesh rough_mesh(double noise, unsigned seed = 5) {
-  TriangleMesh m = sphere_mesh(3);
-  Random random(seed);
-  for (Vec3& v : m.vertices)
-    v = v * (1 + 0.15 * std::sin(3 * v.x()) * std::cos(4 * v.y())) + noise * random.vec();
-  return m;
-}
 
 // A square of side 2 with rounded corners, extruded to 3 m: wide plates beside narrow facets.
 TriangleMesh rounded_box(double radius, int steps) {
@@ -291,75 +264,6 @@ TEST(GeometrySmoothSurface, NearestOfAll) {
           ASSERT_GE((y - q.point(a / 20.0, b / 20.0)).norm(), std::sqrt(best) * (1 - 1e-12));
     }
   }
-}
-
-// Lists of facets about several places of an axis suffice for all points near it, in any order.
-TEST(GeometrySmoothSurface, ListsAlongAnAxis) {
-  const TriangleMesh m = rough_mesh(0.03);
-  const MeshSurface surface(m, {}, kSmooth);
-  Random random(9);
-  NearFacetLists lists;
-  int searches = 0;
-  constexpr int kAll = 2000;
-  for (int i = 0; i < kAll; ++i) {
-    const Vec3 y = Vec3(0.2, random(-0.3, 0.3), 1.02) + 1e-3 * random.vec();
-    NearFacets& near = lists.about(y);
-    const Vec3 before = near.place;
-    const auto one = surface.query_again(y, kInfinity, -1, near);
-    const auto other = surface.query(y, kInfinity);
-    ASSERT_TRUE(one && other);
-    ASSERT_EQ(one->triangle, other->triangle);
-    ASSERT_EQ(one->distance, other->distance);
-    ASSERT_EQ(one->normal, other->normal);
-    searches += near.place != before;
-  }
-  printf("  %d searches in %d queries\n", searches, kAll);
-  EXPECT_LE(searches, kAll / 20);
-}
-
-// Cached facets do not change results, bit for bit, for any distance to the next query, also beyond centres
-// of curvature; for a small distance they avoid a search.
-TEST(GeometrySmoothSurface, AskedAgainNearAPlace) {
-  const auto part = [](std::size_t count) {
-    std::vector<bool> active(count);
-    for (std::size_t t = 0; t < count; t += 1 + t % 3) active[t] = true;
-    return active;
-  };
-  for (const double noise : {0.0, 0.03, 0.08})
-    for (const bool smooth : {false, true})
-      for (const bool partial : {false, true}) {
-        const TriangleMesh m = rough_mesh(noise);
-        const MeshSurface surface(m, partial ? part(m.triangles.size()) : std::vector<bool>(), {smooth});
-        Random random(6);
-        int same = 0, kept = 0;
-        for (int i = 0; i < 1000; ++i) {
-          const Vec3 y = random(0.1, 1.4) * random.vec();
-          const double within = i % 2 ? kInfinity : 0.3;
-          NearFacets near;
-          surface.query_again(y, within, -1, near);
-          for (const double far : {0.0, 1e-6, 1e-3, 0.01, 0.1, 1.0}) {
-            const Vec3 x = y + far * random.vec();
-            const Vec3 before = near.place;
-            const auto one = surface.query_again(x, within, -1, near);
-            const auto other = surface.query(x, within);
-            ASSERT_EQ(one.has_value(), other.has_value()) << x.transpose();
-            if (!one) continue;
-            ASSERT_EQ(one->triangle, other->triangle) << x.transpose();
-            ASSERT_EQ(one->feature, other->feature);
-            ASSERT_EQ(one->distance, other->distance);
-            ASSERT_EQ(one->point, other->point);
-            ASSERT_EQ(one->normal, other->normal);
-            ASSERT_EQ(one->curvature, other->curvature);
-            if (far == 1e-3) {
-              ++same;
-              kept += near.place == before;
-            }
-          }
-        }
-        printf("  %s facets, noise %.2f%s: a search in %d of %d\n", smooth ? "curved" : "flat", noise,
-               partial ? ", part" : "", same - kept, same);
-        EXPECT_GT(kept, 0.8 * same);
-      }
 }
 
 // No point of any patch is within the distance reported as free, also beyond centres of curvature, where the
