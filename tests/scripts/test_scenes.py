@@ -22,7 +22,7 @@ from support import ROOT, run, write
 
 HAWSER = os.environ.get("HAWSER", str(ROOT / "build/hawser"))
 LIMIT = 120      # s of CPU time
-LEAST = 0.9      # share of all scenes that must pass
+LEAST = 0.94     # share of all scenes that must pass
 SCENES = 200
 
 
