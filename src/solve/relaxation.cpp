@@ -65,9 +65,9 @@ class Relaxation : StaticTrial {
       if (report.norms.small(settings_.tolerance)) return report;
       if (mass_ == 0) mass_ = smallest = first_mass(report.norms);
       const bool all_used = report.steps + report.rejected >= settings_.max_steps;
-      if (all_used || !std::isfinite(report.norms.relative())) throw_no_rest(report, all_used);
-      const bool too_heavy = mass_ > kHeaviest * smallest;
-      if (too_heavy || test_progress(report)) {
+      if (all_used || mass_ > kHeaviest * smallest || !std::isfinite(report.norms.relative()))
+        throw_no_rest(report, all_used);
+      if (test_progress(report)) {
         if (settings_.friction) report.remaining = small_remainder(report.norms);
         if (!report.remaining) throw_no_rest(report, all_used);
         return report;

@@ -40,8 +40,9 @@ struct NearFacets {
     else
       others = std::min(others, f.lower_bound);
   }
-  // True if the list holds the nearest facet of y for certain, if its first lower bound is the distance d:
-  // that of y is at most d + |y - place|, and that of all other facets at least others - |y - place|.
+  // True if the nearest facet of y is probably in the list. If the first lower bound is the distance d of its
+  // facet, that facet is at most d + |y - place| from y, and facets outside the list are at least
+  // others - |y - place| from y.
   bool suffices_for(const Vec3& y) const {
     return count > 0 && 2 * (y - place).norm() < others - facets[0].lower_bound;
   }
