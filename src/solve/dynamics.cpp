@@ -18,10 +18,11 @@ namespace {
 // coarse residual plus one. The number to the final tolerance may differ by one between numbers of ranks
 // because of rounding.
 constexpr double kCounted = 1e-5;
-// Where the last kWatched of the iterations have stagnated, Newton's method gets kOnKinks more with secants
-// (kink_stiffness.hpp), since a line may lie on kinks between facets. What converges without them does so as
-// before: secants from the start make iterations slower in which contact sticks and slips (decision 036).
-constexpr int kWatched = 2, kOnKinks = 24;
+// Where iterations repeat, or have stagnated at their limit, Newton's method gets kOnKinks more with secants
+// (kink_stiffness.hpp), since a line may lie on kinks between facets. Stagnation below the limit does not
+// suffice: iterations in which contact sticks and slips stagnate temporarily, and secants make them slower
+// (decision 036).
+constexpr int kOnKinks = 24;
 constexpr int kMaxRaises = 40;  // Most raises of penalty stiffness within one try of a step.
 // Arguments of SNESSetLagJacobian: compute no new tangent; compute one at the next iteration only.
 constexpr PetscInt kKeepTangent = -1, kNextTangent = -2;
@@ -158,8 +159,7 @@ SNESConvergedReason Dynamics::judge_iteration(SNES snes, int it, double fnorm) {
   if (counted_ < 0 && norms_.small(std::max(tolerance, kCounted))) counted_ = it;
   if (fnorm == 0) return SNES_CONVERGED_FNORM_ABS;
   if (it > 0 && norms_.small(tolerance)) return SNES_CONVERGED_FNORM_RELATIVE;
-  const bool on_kinks =
-      it >= settings_.max_iterations - kWatched && kinks_.observe(local_u_.data(), r, norms_.relative());
+  const bool on_kinks = kinks_.observe(local_u_.data(), r, norms_.relative());
   if (on_kinks && kinks_.norms_without_jumps(system_, r, length_).small(tolerance))
     return SNES_CONVERGED_FNORM_RELATIVE;
   if (!on_kinks && it >= settings_.max_iterations) return SNES_DIVERGED_MAX_IT;
@@ -173,17 +173,17 @@ SNESConvergedReason Dynamics::judge_iteration(SNES snes, int it, double fnorm) {
 void Dynamics::solve_once() {
   old_tangent_ = false;
   counted_ = -1;
-  kinks_.clear();
+  kinks_.clear(settings_.max_iterations);
   error_.check(SNESSolve(snes_, nullptr, u_.get()));
   SNESConvergedReason reason = SNES_CONVERGED_ITERATING;
   PetscInt its = 0;
   check(SNESGetConvergedReason(snes_, &reason));
   check(SNESGetIterationNumber(snes_, &its));
   attempt_.solved = reason > 0;
-  attempt_.info.iterations =
-      std::max(attempt_.info.iterations, kinks_.active() ? settings_.step.hard_iterations
-                                         : counted_ < 0  ? static_cast<int>(its)
-                                                         : counted_ + 1);
+  // On kinks the step is judged by the iterations before the cycle.
+  int counted = counted_ < 0 ? static_cast<int>(its) : counted_ + 1;
+  if (kinks_.active()) counted = std::min(kinks_.smooth_iterations(), settings_.step.hard_iterations);
+  attempt_.info.iterations = std::max(attempt_.info.iterations, counted);
 }
 
 int Dynamics::try_step(double h) {

@@ -2,25 +2,45 @@
 #include "hawser/solve/kink_stiffness.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace hawser {
 namespace {
 
-// The iteration stagnates if kStale iterations in a row have not halved the least residual, below the
-// relative residual at which far states are left.
+// The iteration stagnates if kStale iterations in a row have not halved the least residual.
 constexpr int kStale = 2;
-constexpr double kAlmost = 1e-2;
+constexpr double kAlmost = 1e-2;  // relative residual above which the state is still far from a kink
+// Iterates repeat if their relative residuals differ by less than kEqual of their size; the longest cycle.
+constexpr double kEqual = 1e-3;
+constexpr int kLongestCycle = 3;
 // cos of the angle between r and d below which their product is rounding.
 constexpr double kRounding = 1e-8;
 constexpr double kWithin = 1e-7;  // of the longest element: distance from a kink at which a node lies on it
 
 }  // namespace
 
-void KinkStiffness::clear() {
+void KinkStiffness::clear(int patience) {
   blocks_.clear();
   last_.clear();
-  iterations_ = stale_ = smooth_ = 0;
+  residuals_.clear();
+  patience_ = patience;
+  stale_ = smooth_ = 0;
   active_ = false;
+}
+
+int KinkStiffness::cycle() const {
+  const int n = static_cast<int>(residuals_.size());
+  const auto repeats = [&](int length) {
+    if (n < 2 * length) return false;
+    for (size_t i = residuals_.size() - static_cast<size_t>(length); i < residuals_.size(); ++i) {
+      const double before = residuals_[i - static_cast<size_t>(length)];
+      if (!(std::abs(residuals_[i] - before) <= kEqual * before)) return false;
+    }
+    return true;
+  };
+  for (int length = 2; length <= kLongestCycle; ++length)
+    if (repeats(length)) return length;
+  return 0;
 }
 
 bool KinkStiffness::observe(const double* u, Vec r, double relative) {
@@ -28,12 +48,16 @@ bool KinkStiffness::observe(const double* u, Vec r, double relative) {
   check(VecGetLocalSize(r, &size));
   const std::vector<double> before(std::move(last_));
   last_.assign(u, u + size);
-  stale_ = iterations_ > 0 && relative > 0.5 * smallest_residual_ ? stale_ + 1 : 0;
-  smallest_residual_ = iterations_ > 0 ? std::min(smallest_residual_, relative) : relative;
-  ++iterations_;
+  const bool first = residuals_.empty();
+  stale_ = !first && relative > 0.5 * smallest_residual_ ? stale_ + 1 : 0;
+  smallest_residual_ = first ? relative : std::min(smallest_residual_, relative);
+  residuals_.push_back(relative);
   if (!active_) {
-    active_ = stale_ >= kStale && relative < kAlmost;
-    smooth_ = iterations_ - kStale;
+    const int iterations = static_cast<int>(residuals_.size());
+    const int repeated = cycle();
+    const bool stagnates = iterations > patience_ && stale_ >= kStale;
+    active_ = relative < kAlmost && (repeated > 0 || stagnates);
+    smooth_ = std::max(iterations - (repeated > 0 ? 2 * repeated : kStale), 1);
   }
   if (!active_) return false;
   blocks_.resize(static_cast<size_t>(size) / 3);

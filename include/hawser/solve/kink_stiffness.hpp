@@ -31,15 +31,15 @@ namespace hawser {
 
 class KinkStiffness {
  public:
-  // Begins an iteration.
-  void clear();
+  // Begins an iteration. A cycle counts at once, stagnation without a cycle after `patience` iterations.
+  void clear(int patience = 0);
   // u: the increment of this iteration (owned blocks of 3), r: the residual there, relative: its size over
-  // its scale. Once the iteration stagnates the secants are updated. Returns whether it has stagnated; the
+  // its scale. Once the iteration stagnates or cycles the secants are updated. Returns whether it does; the
   // next tangent then needs add_to(). Call it after each iteration, the first included. The same on all
   // ranks.
   bool observe(const double* u, Vec r, double relative);
   bool active() const { return active_; }
-  // Iterations before it stagnated.
+  // Iterations before it stagnated or the cycle began, at least 1.
   int smooth_iterations() const { return smooth_; }
   // Adds S to the assembled tangent. Collective.
   void add_to(const System& system, Mat J) const;
@@ -54,10 +54,14 @@ class KinkStiffness {
     double distance = 0;       // m, most from the kink
     int rises = 0;
   };
+  // Length of the cycle in which the iteration goes round, 0 if there is none.
+  int cycle() const;
+
   std::vector<Block> blocks_;
-  std::vector<double> last_;      // increment of the iteration before
-  double smallest_residual_ = 0;  // least relative residual so far
-  int iterations_ = 0, stale_ = 0, smooth_ = 0;
+  std::vector<double> last_;       // increment of the iteration before
+  std::vector<double> residuals_;  // relative, of all iterations
+  double smallest_residual_ = 0;   // least relative residual so far
+  int patience_ = 0, stale_ = 0, smooth_ = 0;
   bool active_ = false;
 };
 
