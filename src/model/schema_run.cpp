@@ -29,7 +29,9 @@ Key statics() {
                  "Newton's iteration: `auto`, if Newton's iteration alone fails; `always`; `never`",
                  or_else("auto")),
             integer({"relaxation_steps", &Statics::relaxation_steps},
-                    "largest number of steps of that motion", in_range(1, 1e7), or_else("5000"))})},
+                    "largest number of steps of that motion; without friction at most 150 if friction of "
+                    "contact can bring lines to rest after it",
+                    in_range(1, 1e7), or_else("5000"))})},
       "Static equilibrium at t = 0; `false` starts dynamics from the start shape.", or_else("true"));
 }
 

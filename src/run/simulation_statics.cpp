@@ -1,4 +1,5 @@
 // The class Simulation: static equilibrium, its friction and restraints, and its report.
+#include <algorithm>
 #include <utility>
 
 #include "hawser/advice/statics.hpp"
@@ -19,6 +20,9 @@ namespace {
 // this soft friction to stiffer ones: Newton's method fails if it starts with the stiff law, which has no
 // stiffness beyond the mobilisation length.
 constexpr double kFirstSlip = 0.1;
+
+// Most steps of relaxation without friction where friction can bring lines to rest: as many as that takes.
+constexpr int kMostStepsBeforeFriction = 150;
 
 RelaxationUse relaxation_use(model::Relaxation given, StartsFrom from) {
   if (given == model::Relaxation::always) return RelaxationUse::always;
@@ -113,9 +117,11 @@ StaticsReport Simulation::find_equilibrium_or_rest_by_friction(StaticsSettings s
   const StaticsStart start(*system_, state_);
   std::string failure;
   try {
-    return find_restrained_equilibrium(settings);
-  } catch (const SolveError& without_friction) {
-    failure = without_friction.what();
+    StaticsSettings without_friction = settings;
+    without_friction.relaxation_steps = std::min(settings.relaxation_steps, kMostStepsBeforeFriction);
+    return find_restrained_equilibrium(without_friction);
+  } catch (const SolveError& no_equilibrium) {
+    failure = no_equilibrium.what();
   }
   system_->revert_stiffness();
   start.restore(state_);

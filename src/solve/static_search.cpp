@@ -32,6 +32,7 @@ constexpr double kMinShift = 1e-9, kMaxShift = 1e7, kShiftAtEnd = 1e6;
 // Factor of a shortened step below which the energy may have a kink, the distance of its sides as a fraction
 // of the longest element, and the change of slope between them as a fraction of the slope at the state.
 constexpr double kShortened = 0.25, kWidth = 1e-8, kJump = 0.1;
+constexpr int kSlow = 100;        // iterations without a halved residual that end a level of soft lines
 constexpr int kMaxBlocked = 100;  // most steps of a descent that blocking lines may shorten
 
 }  // namespace
@@ -199,6 +200,7 @@ void StaticSearch::descend(double tolerance) {
   blocked_steps_ = 0;
   forget_progress();
   stagnates_ = false;
+  slow_ = 0;
   least_residual_ = HUGE_VAL;
   kinks_.clear();
   iterations_before_ = report_.iterations;
@@ -231,9 +233,16 @@ SNESConvergedReason StaticSearch::test_convergence(int iteration) {
     kinks_.evaluate(system_, state_, trial_);
     if (kinks_.norms(system_, f_.get()).small(tolerance_)) return SNES_CONVERGED_FNORM_RELATIVE;
   }
-  // Relaxation, which follows, often moves a line that Newton's method hardly moves.
-  stagnates_ = settings_.relaxation != RelaxationUse::never && iteration % kWatched == 0 &&
-               progress(report_.norms).stagnates && !is_round_off();
+  if (iteration % kWatched == 0) {
+    const Progress since = progress(report_.norms);
+    slow_ = since.halved ? 0 : slow_ + kWatched;
+    // A level of soft lines only gives the next one its start, and slides slowly to it on the facets of a
+    // mesh.
+    if (slow_ >= kSlow && tolerance_ > settings_.tolerance && is_round_off())
+      return SNES_CONVERGED_FNORM_RELATIVE;
+    // Relaxation, which follows, often moves a line that Newton's method hardly moves.
+    stagnates_ = settings_.relaxation != RelaxationUse::never && since.stagnates && !is_round_off();
+  }
   if (stagnates_ || iteration >= settings_.max_iterations) return SNES_DIVERGED_MAX_IT;
   const bool close = tangent_trusted(report_.norms);
   use_tangent(close ? TangentKind::exact : TangentKind::convex, close && shift_ < 1e-5 ? 0 : shift_);
