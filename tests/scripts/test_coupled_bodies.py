@@ -208,7 +208,7 @@ class CoupledBodies(unittest.TestCase):
         for line in gzip.decompress((SHIPS / "conjunto_10.4.gz").read_bytes()).decode().splitlines():
             r = [float(v) for v in line.split()]
             wamit.setdefault((r[0], r[1]), np.zeros(12, complex))[int(r[2]) - 1] = complex(r[5], r[6])
-        for period, direction in ((8, 90), (10, 90), (12, 90), (10, 180)):
+        for period, direction in ((8, 90), (10, 180)) + (((10, 90), (12, 90)) if os.environ.get("HAWSER_FULL") else ()):
             omega = 2 * np.pi / period
             waves = f"{{components: [{{height: 0.02, period: {period}, direction_deg: {direction}}}], ramp: 150}}"
             time, (fpso, vessel) = self.histories(self.case_of_ships(waves, 700))

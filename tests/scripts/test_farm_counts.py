@@ -14,7 +14,8 @@ import farm  # noqa: E402
 
 HAWSER = os.environ.get("HAWSER", str(ROOT / "build/hawser"))
 COUNTER = os.environ.get("HAWSER_MPI_COUNTER", str(ROOT / "build/tests/libmpi_counts.so"))
-FEW, MANY, RANKS = 100, 1000, (2, 4, 8) if os.environ.get("HAWSER_FULL") else (2, 8)
+FULL = bool(os.environ.get("HAWSER_FULL"))
+FEW, MANY, RANKS = (100, 1000, (2, 4, 8)) if FULL else (100, 400, (2, 8))
 STEPS = 5  # additional steps in the second run of each farm and number of ranks, and in the third, with an output each
 MOST_OF_STEP, MOST_BYTES = 10, 1000  # collective calls in a step, and the bytes in them
 FEW_ROPES, FEW_FALLING = 25, 10
@@ -23,8 +24,8 @@ MOST_OF_OUTPUT = 60  # collective calls
 MOST_OF_RUN = 900  # collective calls of the start, statics, and one step and output
 REST_OF_FILE = 100000  # bytes that a rank may read of a results file besides its share: names, headers, the counter of an output
 ELEMENT = 208  # bytes of an element that ranks exchange
-FINE = 600  # elements of the lines of which the memory for a node is measured
-FARM = 2000  # lines of other ranks of which the memory for a line is measured
+FINE = 600 if FULL else 200  # elements of the lines of which the memory for a node is measured
+FARM = 2000 if FULL else 800  # lines of other ranks of which the memory for a line is measured
 MOST_OF_LINE, MOST_OF_NODE = 150, 20  # allocations on every rank for a line and for a node of the model, bytes
 
 
