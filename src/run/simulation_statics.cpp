@@ -21,7 +21,8 @@ namespace {
 // stiffness beyond the mobilisation length.
 constexpr double kFirstSlip = 0.1;
 
-// Most steps of relaxation without friction where friction can bring lines to rest: as many as that takes.
+// Largest number of steps of relaxation without friction if the search with friction, which takes about as
+// many, can follow.
 constexpr int kMostStepsBeforeFriction = 150;
 
 RelaxationUse relaxation_use(model::Relaxation given, StartsFrom from) {

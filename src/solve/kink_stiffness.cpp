@@ -9,8 +9,9 @@ namespace {
 
 // The iteration stagnates if kStale iterations in a row have not halved the least residual.
 constexpr int kStale = 2;
-constexpr double kAlmost = 1e-2;  // relative residual above which the state is still far from a kink
-// Iterates repeat if their relative residuals differ by less than kEqual of their size; the longest cycle.
+constexpr double kAlmost = 1e-2;  // relative residual above which the state is far from equilibrium
+// The iteration cycles if it repeats its last relative residuals, kLongestCycle of them at most, within
+// kEqual of their size.
 constexpr double kEqual = 1e-3;
 constexpr int kLongestCycle = 3;
 // cos of the angle between r and d below which their product is rounding.
@@ -29,17 +30,11 @@ void KinkStiffness::clear(int patience) {
 }
 
 int KinkStiffness::cycle() const {
-  const int n = static_cast<int>(residuals_.size());
-  const auto repeats = [&](int length) {
-    if (n < 2 * length) return false;
-    for (size_t i = residuals_.size() - static_cast<size_t>(length); i < residuals_.size(); ++i) {
-      const double before = residuals_[i - static_cast<size_t>(length)];
-      if (!(std::abs(residuals_[i] - before) <= kEqual * before)) return false;
-    }
-    return true;
-  };
+  const auto repeats = [](double now, double before) { return std::abs(now - before) <= kEqual * before; };
+  const auto last = residuals_.rbegin();
   for (int length = 2; length <= kLongestCycle; ++length)
-    if (repeats(length)) return length;
+    if (residuals_.rend() - last >= 2 * length && std::equal(last, last + length, last + length, repeats))
+      return length;
   return 0;
 }
 
@@ -48,16 +43,15 @@ bool KinkStiffness::observe(const double* u, Vec r, double relative) {
   check(VecGetLocalSize(r, &size));
   const std::vector<double> before(std::move(last_));
   last_.assign(u, u + size);
-  const bool first = residuals_.empty();
-  stale_ = !first && relative > 0.5 * smallest_residual_ ? stale_ + 1 : 0;
-  smallest_residual_ = first ? relative : std::min(smallest_residual_, relative);
+  const auto halves = [relative](double earlier) { return relative <= 0.5 * earlier; };
+  stale_ = std::all_of(residuals_.begin(), residuals_.end(), halves) ? 0 : stale_ + 1;
   residuals_.push_back(relative);
   if (!active_) {
     const int iterations = static_cast<int>(residuals_.size());
-    const int repeated = cycle();
+    const int length = cycle();
     const bool stagnates = iterations > patience_ && stale_ >= kStale;
-    active_ = relative < kAlmost && (repeated > 0 || stagnates);
-    smooth_ = std::max(iterations - (repeated > 0 ? 2 * repeated : kStale), 1);
+    active_ = relative < kAlmost && (length > 0 || stagnates);
+    smooth_ = std::max(iterations - (length > 0 ? 2 * length : kStale), 1);
   }
   if (!active_) return false;
   blocks_.resize(static_cast<size_t>(size) / 3);

@@ -120,8 +120,8 @@ class StaticSearch : StaticTrial {
   double tangent_shift_ = 0;  // shift of the tangent
   Weights weights_;
   int iterations_before_ = 0;  // iterations before this descent
-  bool stagnates_ = false;     // this descent makes no progress
-  int slow_ = 0;               // iterations of this descent since the residual was last halved
+  bool stagnates_ = false;     // this descent hardly moves
+  int slow_ = 0;               // iterations of this descent in which the residual has not halved
   int blocked_steps_ = 0;      // steps of this descent that blocking lines shortened
 };
 

@@ -234,10 +234,10 @@ output: {{every: 1000, histories: [{{body: spar}}]}}
         damping = np.diag([1.6299e5, 1.6299e5, 1.4632e6, 1.2627e9, 1.2627e9, 0])
         exact = Reference(self.folder / stem, 2.01e7, -2.32, [4.25e10, 4.25e10, 2.37e10], damping, stiffness)
         # For 1 m, by an independent solution of the same equations: surge, sway, heave [m], pitch [rad].
-        known_of = [(0.45, 30, [0.566368, 0.332726, 0.589693, 1.87842e-3])]
+        waves = [(0.45, 30, [0.566368, 0.332726, 0.589693, 1.87842e-3])]
         if os.environ.get("HAWSER_FULL"):
-            known_of.append((0.6, 0, [0.366945, 0, 0.425242, 4.58827e-3]))
-        for omega, direction, known in known_of:
+            waves.append((0.6, 0, [0.366945, 0, 0.425242, 4.58827e-3]))
+        for omega, direction, known in waves:
             write(self.folder, "semi.yaml", f"""\
 hawser: 1
 environment:

@@ -1,5 +1,5 @@
-"""Reports stay small enough to be sent: below 5 MB for results of the size of the shipped cases, below 20 MB for an hour of a riser
-(with HAWSER_FULL). With HAWSER_FULL the shipped cases themselves."""
+"""Reports stay small enough to be sent: below 5 MB for results of the size of the shipped cases, and, with HAWSER_FULL, the shipped
+cases themselves; below 20 MB for an hour of a riser, also with HAWSER_FULL."""
 import os
 import sys
 import tempfile

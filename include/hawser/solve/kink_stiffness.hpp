@@ -31,7 +31,8 @@ namespace hawser {
 
 class KinkStiffness {
  public:
-  // Begins an iteration. A cycle counts at once, stagnation without a cycle after `patience` iterations.
+  // Begins an iteration of Newton's method. Secants begin as soon as it cycles, or if it stagnates after
+  // `patience` iterations.
   void clear(int patience = 0);
   // u: the increment of this iteration (owned blocks of 3), r: the residual there, relative: its size over
   // its scale. Once the iteration stagnates or cycles the secants are updated. Returns whether it does; the
@@ -54,13 +55,12 @@ class KinkStiffness {
     double distance = 0;       // m, most from the kink
     int rises = 0;
   };
-  // Length of the cycle in which the iteration goes round, 0 if there is none.
+  // Number of residuals that the iteration repeats, 0 if it does not.
   int cycle() const;
 
   std::vector<Block> blocks_;
   std::vector<double> last_;       // increment of the iteration before
   std::vector<double> residuals_;  // relative, of all iterations
-  double smallest_residual_ = 0;   // least relative residual so far
   int patience_ = 0, stale_ = 0, smooth_ = 0;
   bool active_ = false;
 };
