@@ -1,4 +1,5 @@
-// Motion of a point of a rigid body in fixed axes, its derivatives, and forces with a potential.
+// Motion of a rigid body in the axes of hydrodynamic coefficients, its derivatives, and forces with a
+// potential.
 #include "hawser/kernels/platform_frame.hpp"
 
 #include <cmath>
@@ -8,34 +9,63 @@
 
 namespace hawser {
 
-Vec6 platform_rate(const Mat3& H, const Vec3& r, const RigidBodyState& s) {
+namespace {
+
+Vec6 platform_rate(const Mat3& H, const Mat3& J, const Vec3& r, const RigidBodyState& s) {
   Vec6 rate;
-  rate << H.transpose() * (s.v + s.q * s.w.cross(r)), H.transpose() * (s.q * s.w);
+  rate << H.transpose() * (s.v + s.q * s.w.cross(r)), J.transpose() * (s.q * s.w);
   return rate;
 }
 
-PlatformMotion platform_motion(const Mat3& H, const Vec3& r, const RigidBodyState& s) {
+// psi: angle of J. d(J^T y) = -e_z x J^T y dpsi at constant y.
+PlatformMotion platform_motion(const Mat3& H, const Mat3& J, const Vec3& psi_by_turn, const Vec3& r,
+                               const RigidBodyState& s) {
   PlatformMotion m;
   const Mat3 Ht = H.transpose();
-  const Mat3 Q = Ht * s.q.toRotationMatrix();
-  const FramePoint point{r, Q, s.w};
+  const Mat3 R = s.q.toRotationMatrix();
+  m.Q = Ht * R;
+  m.P = J.transpose() * R;
+  m.heading_by_turn = psi_by_turn;
+  const FramePoint point{r, m.Q, s.w};
   const Vec3 turning = s.w.cross(r);
   const Vec3 lift = s.alpha.cross(r) + s.w.cross(turning);
-  m.rate = platform_rate(H, r, s);
-  m.acceleration << Ht * s.a + Q * lift, Q * s.alpha;
-  m.G << Ht, point.by_turn(), Mat3::Zero(), Q;
-  m.rate_by_place << Mat3::Zero(), point.velocity_by_turn(), Mat3::Zero(), -Q * hat(s.w);
-  m.acceleration_by_place << Mat3::Zero(), -Q * hat(lift), Mat3::Zero(), -Q * hat(s.alpha);
-  m.acceleration_by_rate << Mat3::Zero(), -Q * (hat(turning) + hat(s.w) * hat(r)), Mat3::Zero(), Mat3::Zero();
+  const auto components_by_turn = [&m](const Vec3& y) -> Mat3 {
+    return -m.P * hat(y) - Vec3::UnitZ().cross(m.P * y) * m.heading_by_turn.transpose();
+  };
+  m.rate = platform_rate(H, J, r, s);
+  m.acceleration << Ht * s.a + m.Q * lift, m.P * s.alpha;
+  m.G << Ht, point.by_turn(), Mat3::Zero(), m.P;
+  m.rate_by_place << Mat3::Zero(), point.velocity_by_turn(), Mat3::Zero(), components_by_turn(s.w);
+  m.acceleration_by_place << Mat3::Zero(), -m.Q * hat(lift), Mat3::Zero(), components_by_turn(s.alpha);
+  m.acceleration_by_rate << Mat3::Zero(), -m.Q * (hat(turning) + hat(s.w) * hat(r)), Mat3::Zero(),
+      Mat3::Zero();
   return m;
 }
 
-// G^T F = (H F_p, r x Q^T F_p + Q^T F_t), and d (Q^T y) = hat(Q^T y) d phi.
+}  // namespace
+
+PlatformMotion platform_motion(const Mat3& H, const Vec3& r, const RigidBodyState& s) {
+  return platform_motion(H, H, Vec3::Zero(), r, s);
+}
+
+PlatformMotion platform_motion_by_heading(const Mat3& H, const Vec3& r, const RigidBodyState& s) {
+  const Heading heading = heading_of(s.q);
+  return platform_motion(H, heading_axes(heading.angle), heading.by_turn, r, s);
+}
+
+Vec6 platform_rate_by_heading(const Mat3& H, const Vec3& r, const RigidBodyState& s) {
+  return platform_rate(H, heading_axes(heading_of(s.q).angle), r, s);
+}
+
+// G^T F = (H F_p, r x Q^T F_p + P^T F_t); d (Q^T y) = hat(Q^T y) d phi, d (P^T y) = hat(P^T y) d phi
+// + P^T (e_z x y) d psi.
 Mat6 platform_force_slope(const PlatformMotion& m, const Vec3& r, const Vec6& F) {
-  const Mat3 Q = m.G.bottomRightCorner<3, 3>();
   Mat6 K = Mat6::Zero();
-  const FramePoint point{r, Q};
-  K.bottomRightCorner<3, 3>() = point.moment_by_turn(F.head<3>()) + point.components_by_turn(F.tail<3>());
+  const FramePoint point{r, m.Q};
+  const Vec3 moment = F.tail<3>();
+  K.bottomRightCorner<3, 3>() = point.moment_by_turn(F.head<3>()) +
+                                FramePoint{r, m.P}.components_by_turn(moment) +
+                                m.P.transpose() * Vec3::UnitZ().cross(moment) * m.heading_by_turn.transpose();
   return K;
 }
 

@@ -179,7 +179,35 @@ void StaticSearch::residual() {
   report_.norms = system_.norms(r_.get());
 }
 
-void StaticSearch::tangent() { system_.tangent(state_.at_rest(), weights_, zero_, !exact_, J_.get()); }
+void StaticSearch::tangent() {
+  system_.tangent(state_.at_rest(), weights_, zero_, !exact_, J_.get());
+  add_slopes_of_vertical_moments();
+}
+
+// With the moment m of a body in its axes and n = R^T e_z,
+//   d(n.m) = n.dm + (m x n).d phi,   d n = n x d phi.
+// n n.(m x n) d phi completes the rows of dm to this derivative of the moment about the vertical. The tangent
+// of a moment that never turns a body about the vertical, as that of its hydrostatics, has then no such
+// moment. Without it the solution would balance it by a large rotation about the vertical, against which such
+// bodies have no stiffness. In equilibrium m is zero.
+void StaticSearch::add_slopes_of_vertical_moments() {
+  const LocalMesh& mesh = system_.mesh();
+  if (!mesh.mesh->has_frames()) return;
+  const PetscScalar* r = nullptr;
+  check(VecGetArrayRead(r_.get(), &r));
+  for (int node = 0; node < mesh.owned; ++node) {
+    if (mesh.node(node).body < 0) continue;
+    const int block = mesh.block[node] + 1;
+    const Eigen::Map<const Vec3> m(r + 3 * block);
+    const Vec3 n = state_.q[node].conjugate() * Vec3::UnitZ();
+    const Eigen::Matrix<double, 3, 3, Eigen::RowMajor> slope = n * m.cross(n).transpose();
+    const PetscInt row = mesh.global_block[block];
+    check(MatSetValuesBlocked(J_.get(), 1, &row, 1, &row, slope.data(), ADD_VALUES));
+  }
+  check(VecRestoreArrayRead(r_.get(), &r));
+  check(MatAssemblyBegin(J_.get(), MAT_FINAL_ASSEMBLY));
+  check(MatAssemblyEnd(J_.get(), MAT_FINAL_ASSEMBLY));
+}
 
 void StaticSearch::stiffen_by_levels() {
   residual();

@@ -84,6 +84,8 @@ class StaticSearch : StaticTrial {
   enum class TangentKind { exact, convex };
   void use_tangent(TangentKind kind, double shift);
   void newton(Vec y);
+  // Completes the tangent of each body to that of its moment about the vertical.
+  void add_slopes_of_vertical_moments();
   // Sets local_ and u_ to -y for Newton's direction y. If an exact tangent leads uphill, y is computed again
   // with the convex one. Returns the slope of the energy along it.
   double downhill(Vec y);

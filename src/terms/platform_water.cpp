@@ -34,7 +34,7 @@ Eigen::VectorXd PlatformWater::rates(const Group& g, const Kinematics& state) co
   Eigen::VectorXd out(6 * g.platforms.size());
   for (size_t i = 0; i < g.platforms.size(); ++i) {
     const Platform& p = g.platforms[i];
-    out.segment<6>(6 * i) = platform_rate(p.axes, p.arm, floating_state(state, p.local));
+    out.segment<6>(6 * i) = platform_rate_by_heading(p.axes, p.arm, floating_state(state, p.local));
   }
   return out;
 }
@@ -228,7 +228,7 @@ void PlatformWater::evaluate(const Kinematics& trial, Assembler& assembler) {
     Eigen::MatrixXd by_rate = Eigen::MatrixXd::Zero(F.size(), F.size());
     for (size_t i = 0; i < n; ++i) {
       const Platform& p = g.platforms[i];
-      motion[i] = platform_motion(p.axes, p.arm, floating_state(trial, p.local));
+      motion[i] = platform_motion_by_heading(p.axes, p.arm, floating_state(trial, p.local));
       rate.segment<6>(6 * i) = motion[i].rate;
       acceleration.segment<6>(6 * i) = motion[i].acceleration;
     }

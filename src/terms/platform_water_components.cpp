@@ -8,10 +8,11 @@ namespace hawser {
 Vec6 PlatformWater::mean_force(const Platform& p, const RigidBodyState& s) {
   if (p.waves.none()) return Vec6::Zero();
   const double heading = heading_of(s.q).angle;
-  const Mat3 H = p.follow_period > 0 ? heading_axes(heading) : p.axes;
+  const Mat3 J = heading_axes(heading);
+  const Mat3& H = p.follow_period > 0 ? J : p.axes;
   const Vec6 F = p.follow_period > 0 ? p.waves.mean_drift(heading).force : p.waves.mean_drift();
   Vec6 out;
-  out << H * F.head<3>(), H * F.tail<3>();
+  out << H * F.head<3>(), J * F.tail<3>();
   return out;
 }
 
@@ -37,7 +38,7 @@ std::vector<BodyForce> PlatformWater::forces_on(int body, const Kinematics& stat
       if (p.body != body) continue;
       const auto first = 6 * static_cast<Eigen::Index>(i);
       const RigidBodyState s = floating_state(state, p.local);
-      const PlatformMotion m = platform_motion(p.axes, p.arm, s);
+      const PlatformMotion m = platform_motion_by_heading(p.axes, p.arm, s);
       const auto of_unknowns = [&s](const Vec6& f) { return BodyForce{-f.head<3>(), -(s.q * f.tail<3>())}; };
       const auto by_rate = [&](const Vec6& F) { return of_unknowns(m.G.transpose() * F); };
       const Vec6 hydrostatic = hydrostatic_gradient(p.hydrostatics, p.arm, s).f;
@@ -53,7 +54,8 @@ std::vector<BodyForce> PlatformWater::forces_on(int body, const Kinematics& stat
       for (size_t j = 0; j < g.platforms.size(); ++j) {
         const Platform& other = g.platforms[j];
         acceleration.segment<6>(6 * static_cast<Eigen::Index>(j)) =
-            platform_motion(other.axes, other.arm, floating_state(state, other.local)).acceleration;
+            platform_motion_by_heading(other.axes, other.arm, floating_state(state, other.local))
+                .acceleration;
       }
       const KnownForces& now = known_forces(g, state.time);
       damping_and_memory(g, now, rate, force, nullptr);

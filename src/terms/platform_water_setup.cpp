@@ -125,7 +125,7 @@ void PlatformWater::find_modes(const model::Case& c, Group& g) {
     RigidBodyState start;
     start.q = Quat(p.axes);
     start.x = p.potential.place - start.q * p.arm;
-    const Mat6 back = platform_motion(p.axes, p.arm, start).G.inverse();
+    const Mat6 back = platform_motion_by_heading(p.axes, p.arm, start).G.inverse();
     const Mat6 K =
         hydrostatic_gradient(p.hydrostatics, p.arm, start).K + platform_gradient(p.potential, p.arm, start).K;
     const Mat6 by_rates = back.transpose() * K * back;
@@ -181,7 +181,7 @@ std::vector<DependsOnFrequency::Excitation> PlatformWater::excitation(const std:
       const double heading = std::atan2(p.axes(1, 0), p.axes(0, 0));
       const PlatformWaves forces(waves, heading, first, p.phase_point, {}, {}, SecondOrder::none);
       const Vec3 origin = wave_origin(g, p, state.time);
-      const Mat6 G = platform_motion(p.axes, p.arm, floating_state(state, p.local)).G;
+      const Mat6 G = platform_motion_by_heading(p.axes, p.arm, floating_state(state, p.local)).G;
       Excitation e{p.block, forces.first_order(origin.x(), origin.y())};
       for (ComplexVec6& F : e.by_wave) F = G.transpose() * F;
       out.push_back(std::move(e));

@@ -37,14 +37,21 @@ PlatformPotential potential() {
   return V;
 }
 
-TEST(PlatformFrame, MotionHasItsDerivatives) {
-  const PlatformMotion m = platform_motion(axes(), kArm, state());
+using Motion = PlatformMotion (*)(const Mat3& H, const Vec3& r, const RigidBodyState& s);
+
+class PlatformFrameOf : public testing::TestWithParam<Motion> {
+ protected:
+  static PlatformMotion motion(const RigidBodyState& s) { return GetParam()(axes(), kArm, s); }
+};
+
+INSTANTIATE_TEST_SUITE_P(Axes, PlatformFrameOf,
+                         testing::Values(Motion(platform_motion), Motion(platform_motion_by_heading)));
+
+TEST_P(PlatformFrameOf, MotionHasItsDerivatives) {
+  const PlatformMotion m = motion(state());
   const Vec6 zero = Vec6::Zero();
-  const auto rate = [](const RigidBodyState& s) { return platform_motion(axes(), kArm, s).rate; };
-  const auto acceleration = [](const RigidBodyState& s) {
-    return platform_motion(axes(), kArm, s).acceleration;
-  };
-  EXPECT_LT((platform_rate(axes(), kArm, state()) - m.rate).norm(), 1e-14);
+  const auto rate = [](const RigidBodyState& s) { return motion(s).rate; };
+  const auto acceleration = [](const RigidBodyState& s) { return motion(s).acceleration; };
   for (int k = 0; k < 6; ++k) {
     const Vec6 d = Vec6::Unit(k);
     const Vec6 by_place = slope([&](const Vec6& u) { return rate(state(u)); }, d);
@@ -60,6 +67,31 @@ TEST(PlatformFrame, MotionHasItsDerivatives) {
   }
 }
 
+TEST_P(PlatformFrameOf, ForcesHaveTheirSlope) {
+  Vec6 F;
+  F << 3, -1, 2, 0.5, 4, -2;
+  const Mat6 K = platform_force_slope(motion(state()), kArm, F);
+  for (int k = 0; k < 6; ++k) {
+    const Vec6 d = Vec6::Unit(k);
+    const Vec6 found = slope([&](const Vec6& u) -> Vec6 { return motion(state(u)).G.transpose() * F; }, d);
+    EXPECT_LT((K * d - found).norm(), 1e-9) << k;
+  }
+}
+
+// The angular velocity and the moments are in axes that turn with the body: its rotation about the vertical
+// does not change them.
+TEST(PlatformFrame, MomentsTurnWithTheHeading) {
+  const RigidBodyState s = state();
+  RigidBodyState turned = s;
+  turned.q = exp_so3(Vec3(0, 0, 0.7)) * s.q;
+  const PlatformMotion m = platform_motion_by_heading(axes(), kArm, s);
+  const PlatformMotion of_turned = platform_motion_by_heading(axes(), kArm, turned);
+  EXPECT_LT((m.rate - of_turned.rate).tail<3>().norm(), 1e-14);
+  EXPECT_LT((m.P - of_turned.P).norm(), 1e-14);
+  EXPECT_GT((m.rate - of_turned.rate).head<3>().norm(), 0.1);
+  EXPECT_LT((platform_rate_by_heading(axes(), kArm, s) - m.rate).norm(), 1e-14);
+}
+
 // The acceleration is the time derivative of the rate along the motion.
 TEST(PlatformFrame, AccelerationIsTheRateOfTheRate) {
   const double h = 1e-4;
@@ -70,22 +102,10 @@ TEST(PlatformFrame, AccelerationIsTheRateOfTheRate) {
     moved.v += t * s.a;
     moved.w += t * s.alpha;
     moved.q = s.q * exp_so3(t * s.w + 0.5 * t * t * s.alpha);
-    return platform_rate(axes(), kArm, moved);
+    return platform_motion(axes(), kArm, moved).rate;
   };
   const Vec6 slope_in_time = (at(h) - at(-h)) / (2 * h);
   EXPECT_LT((slope_in_time - platform_motion(axes(), kArm, state()).acceleration).norm(), 1e-7);
-}
-
-TEST(PlatformFrame, ForcesHaveTheirSlope) {
-  Vec6 F;
-  F << 3, -1, 2, 0.5, 4, -2;
-  const Mat6 K = platform_force_slope(platform_motion(axes(), kArm, state()), kArm, F);
-  for (int k = 0; k < 6; ++k) {
-    const Vec6 d = Vec6::Unit(k);
-    const Vec6 found = slope(
-        [&](const Vec6& u) -> Vec6 { return platform_motion(axes(), kArm, state(u)).G.transpose() * F; }, d);
-    EXPECT_LT((K * d - found).norm(), 1e-9) << k;
-  }
 }
 
 TEST(PlatformFrame, PullIsTheGradientOfItsPotentialWithItsTangent) {

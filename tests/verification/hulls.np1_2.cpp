@@ -163,6 +163,23 @@ TEST(Hulls, HeelOfABoxAtRest) {
   EXPECT_LT(heel, -0.1);  // towards the side of the centre of mass
 }
 
+// A barge with its centre of mass off the middle heels and trims. Nothing turns it about the vertical: its
+// bow rests within a degree of where it was, and Newton's method takes a few iterations.
+TEST(Hulls, BoxAtRestKeepsItsHeading) {
+  const model::Case c = read(
+      barge(fmt::format("position: [0, 0, 2.1], rotation_deg: [0, 0, 40], floating: {{mass: {}, inertia: "
+                        "[4e6, 2e7, 2e7], centre_of_mass: [0.5, 0.3, -2], hull: {{volumes: [side]}}}}",
+                        kMass),
+            "", ""));
+  Simulation s = simulation(c);
+  EXPECT_LE(s.solve_statics().iterations, 15);
+  const auto bow = [&](int k) {
+    return from_owner(s, [&](size_t n) { return (s.state().q[n] * Vec3::UnitX())[k]; });
+  };
+  EXPECT_LT(bow(2), -0.01);
+  EXPECT_NEAR(std::atan2(bow(1), bow(0)) * 180 / M_PI, 40, 1);
+}
+
 // Froude-Krylov force of linear waves of 0.1 m on a fixed box of L x B, draught T:
 //   across rho g a B (1 - exp(-k T))/k 2 sin(k L/2), upwards rho g a exp(-k T) B (2/k) sin(k L/2)
 TEST(Hulls, FroudeKrylovForceOfABox) {

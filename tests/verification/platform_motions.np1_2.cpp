@@ -228,6 +228,41 @@ dynamics: {{duration: 0.5, step: 0.01, rho_infinity: 1}}
   }
 }
 
+// A ship 3 deg off the heading of its coefficients, in waves along that heading, whose files have no roll
+// force: the moment of pitch, with the stiffness and inertia of pitch, turns with the ship and does not
+// excite roll. In axes of the files roll is 0.4 of pitch.
+TEST(Platforms, PitchOfATurnedShipExcitesNoRoll) {
+  const std::string stem = ship_files("hawser_platform_pitching/ship");
+  const std::string text = fmt::format(
+      R"(hawser: 1
+environment:
+  gravity: 10
+  water: {{density: 1000}}
+  waves: {{regular: {{height: 2, period: 7.85, direction_deg: 0}}, ramp: 5}}
+bodies:
+  ship:
+    rotation_deg: [0, 0, 3]
+    floating:
+      mass: 1e6
+      inertia: [1e8, 1e9, 1e9]
+      hydrodynamics: {{wamit: {}, second_order: none, heading_deg: 0, follow_period: 0}}
+statics: false
+dynamics: {{duration: 30, step: 0.1}}
+)",
+      stem);
+  Simulation s(PETSC_COMM_WORLD, io::read_case_text(text, testing::TempDir() + "pitching.yaml"));
+  s.dynamics().start(s.state());
+  double roll = 0;
+  double pitch = 0;
+  integrate(s.dynamics(), 30, 1, [&](const StepInfo&) {
+    const Kinematics state = s.dynamics().committed_kinematics();
+    roll = std::max(roll, std::abs(from_owner(s, [&](size_t n) { return state.w[n].x(); })));
+    pitch = std::max(pitch, std::abs(from_owner(s, [&](size_t n) { return state.w[n].y(); })));
+  });
+  EXPECT_GT(pitch, 1e-3);
+  EXPECT_LT(roll, 1e-3 * pitch);
+}
+
 // A body that moves with the waves at 2 m/s has the encounter frequency w - k v: its heave has this frequency
 // and the phase of its position.
 TEST(Platforms, MovingBodyMeetsTheWaves) {

@@ -1,9 +1,9 @@
-// Rigid body in the coordinates of hydrodynamic coefficients: the velocity of one of its points and its
-// angular velocity in fixed axes H, instead of the unknowns of its centre of mass. See
+// Rigid body in the coordinates of hydrodynamic coefficients: the velocity of one of its points in fixed axes
+// H and its angular velocity in axes J, instead of the unknowns of its centre of mass. See
 // docs/theory/platforms.md.
 //
-// With x, R of the centre of mass, r the point relative to it in body axes, and Q = H^T R:
-//   nu = (H^T v + Q (w x r), Q w),   nu' = (H^T a + Q (alpha x r + w x (w x r)), Q alpha),   nu = G (v, w)
+// With x, R of the centre of mass, r the point relative to it in body axes, Q = H^T R and P = J^T R:
+//   nu = (H^T v + Q (w x r), P w),   nu' = (H^T a + Q (alpha x r + w x (w x r)), P alpha),   nu = G (v, w)
 // A generalised force F conjugate to nu acts on the unknowns as G^T F.
 #pragma once
 
@@ -13,13 +13,18 @@ namespace hawser {
 
 // Motion in a state, with derivatives by increments of position and material rotation (by_place) and by w.
 struct PlatformMotion {
-  Vec6 rate, acceleration;  // m/s, rad/s; m/s², rad/s²: in axes H
+  Vec6 rate, acceleration;  // m/s, m/s²: in axes H; rad/s, rad/s²: in axes J
+  Mat3 Q, P;
+  Vec3 heading_by_turn;  // derivative of the angle of J by the material rotation
   Mat6 G;
   Mat6 rate_by_place, acceleration_by_place, acceleration_by_rate;
 };
+// J = H.
 PlatformMotion platform_motion(const Mat3& H, const Vec3& r, const RigidBodyState& s);
-// Rate without derivatives.
-Vec6 platform_rate(const Mat3& H, const Vec3& r, const RigidBodyState& s);
+// J: the horizontal axes of the body's heading. The derivative of nu by time is without that of J.
+PlatformMotion platform_motion_by_heading(const Mat3& H, const Vec3& r, const RigidBodyState& s);
+// Rate of platform_motion_by_heading() without derivatives.
+Vec6 platform_rate_by_heading(const Mat3& H, const Vec3& r, const RigidBodyState& s);
 
 // d (G^T F) by increments of position and rotation at constant F.
 Mat6 platform_force_slope(const PlatformMotion& m, const Vec3& r, const Vec6& F);

@@ -64,7 +64,7 @@ class PlatformWater final : public ForceTerm,
     int body = 0;                          // index in the case
     int node = 0, local = -1, block = -1;  // mesh node; local node and block
     bool owned = false;
-    Mat3 axes = Mat3::Identity();  // H, axes of the coefficients during a step
+    Mat3 axes = Mat3::Identity();  // H, axes of velocities and forces during a step
     double follow_period = 0;      // s, period of the slow motion that the axes follow; 0: fixed
     WavePose slow;                 // slow motion at the last accepted state
     Vec3 arm = Vec3::Zero();       // m, from the centre of mass to the body's origin, body axes
