@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "hawser/math/degree.hpp"
 
 namespace hawser::advice {
@@ -16,6 +18,18 @@ std::string uncovered_directions(const char* quantity, const WaveForceTable& tab
       "bow, where {:.3g} % of the sea's energy goes",
       quantity, given.size(), given.size() == 1 ? "" : "s", given.front() / kDegree, given.back() / kDegree,
       coverage.direction / kDegree, 100 * coverage.uncovered);
+}
+
+// True if the table has directions of one side of the body only and this direction [rad] is of the other.
+bool is_of_other_side(const WaveForceTable& table, double direction) {
+  constexpr double kAlong = 1e-6;  // ahead and astern are of both sides
+  bool other = false;
+  for (const double given : table.directions()) {
+    const double same = std::sin(given) * std::sin(direction);
+    if (same > kAlong) return false;
+    other = other || same < -kAlong;
+  }
+  return other;
 }
 
 std::string uncovered_periods(const char* quantity, double energy, BeyondPeriods beyond, double last) {
@@ -33,7 +47,10 @@ std::string directions_not_covered(const std::string& key, const char* quantity,
 
 std::string directions_missing(const char* quantity, const WaveForceTable& table,
                                const model::Coverage& coverage) {
-  return uncovered_directions(quantity, table, coverage) + ": add these directions to the files";
+  return uncovered_directions(quantity, table, coverage) + ": add these directions to the files" +
+         (is_of_other_side(table, coverage.direction)
+              ? ", or give 'symmetry: port_starboard' if the sides of the body are mirror images"
+              : "");
 }
 
 std::string periods_not_covered(const std::string& key, const char* quantity, double energy,

@@ -116,4 +116,12 @@ std::string below_seabed(const std::string& volume, const std::string& body, dou
       volume, depth, body);
 }
 
+std::string below_water(const std::string& volume, const std::string& body, double below,
+                        double water_depth) {
+  return fmt::format(
+      "volumes.{}: reaches {:.4g} m below the bottom of the water, whose depth is {:.4g} m, where body '{}' "
+      "starts: raise the body, or check 'environment.water.depth' and the origin and the unit of the mesh",
+      volume, below, water_depth, body);
+}
+
 }  // namespace hawser::advice

@@ -48,12 +48,13 @@ std::string compression_warning(const model::Case& c, const Extreme& at) {
   if (!(at.value < 0)) return {};
   const model::Line& line = c.line(at.line);
   double arc = 0;
-  const model::LineType* type = &c.line_type(line.sections.back().type);
+  const model::Section* section = &line.sections.back();
   for (const model::Section& s : line.sections)
     if (at.arc <= (arc += s.length)) {
-      type = &c.line_type(s.type);
+      section = &s;
       break;
     }
+  const model::LineType* type = &c.line_type(section->type);
   if (type->kind != model::LineKind::beam) return {};
   const double w = c.environment.gravity * std::abs(mass_in_water(c, *type, -HUGE_VAL));
   const double EI = type->smallest_bending_stiffness();
@@ -68,6 +69,8 @@ std::string compression_warning(const model::Case& c, const Extreme& at) {
         "{}; with a pinned lower end it buckles at about {:.2g} kN: is the tension at its upper end too low?",
         finding, limit / 1000);
   const double supported = M_PI * std::sqrt(EI / -at.value);
+  // Shorter elements represent the buckles.
+  if (section->length / section->elements <= kPerBuckle * supported) return {};
   return fmt::format(
       "{}; it may buckle between supports that are more than {:.2g} m apart, which elements of {:.2g} m or "
       "less represent",

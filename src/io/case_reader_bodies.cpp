@@ -163,6 +163,11 @@ void read_hydrodynamics(const Value& v, const CaseSource& source, model::Body& b
     compare_centre(*h.data->weight[body], *b.mass, c.environment, "bodies." + b.name + ".floating", c.notes);
 }
 
+bool has_springs_or_dampers(const model::BodyMass& m) {
+  return !(m.stiffness.isZero() && m.damping.isZero() && m.turning_stiffness.isZero() &&
+           m.turning_damping.isZero() && m.stiffness_matrix.isZero() && m.damping_matrix.isZero());
+}
+
 // Rows of time, force and optionally moment.
 void read_load_table(const Value& table, const CaseSource& source, model::BodyLoad& load) {
   const InputRows given = read_input_rows(table, source);
@@ -205,6 +210,11 @@ void finish_body(const Value& v, const CaseSource& source, model::Body& b, model
   }
   const Value* m = v.find("motion");
   if (!m) return;
+  if (b.mass && !has_springs_or_dampers(*std::as_const(b).mass))
+    model::refuse(*m,
+                  "moves the far ends of the springs and dampers of a floating body, and this body has none: "
+                  "give 'stiffness' or 'damping' under 'floating', or an initial 'velocity' there, or remove "
+                  "'floating' to prescribe the motion of the body itself");
   if (const Value* d = m->find("drift"))
     if (const Value* t = d->find("table")) read_motion_table(*t, source, b.drift->table, c.notes);
   if (const Value* t = m->find("table"))

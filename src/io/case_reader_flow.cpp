@@ -79,9 +79,9 @@ void check_gaps(const InputRows& given, const std::vector<CoefficientRow>& rows)
   if (gap.width() > kWideGap + kSame)
     refuse_rows(
         given,
-        "there is no row between {:g} and {:g} deg: rows go all round, or from 0 to 180 deg for a body "
-        "whose sides are mirror images",
-        gap.from, gap.to);
+        "there is no row between {:g} and {:g} deg: rows are at most {:g} deg apart, all round or from 0 to "
+        "180 deg for a body whose sides are mirror images",
+        gap.from, gap.to, kWideGap);
 }
 
 // Coefficient along the axis of a flow to a multiple of 90 deg, positive with the flow.

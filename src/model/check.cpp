@@ -210,7 +210,8 @@ void check_floating(const Case& c, const Issues& issue) {
     else
       issue("volumes." + a.name + ".normal_stiffness",
             "contact of bodies needs a stiffness of '{}' or '{}': per_point (its corners and balls touch), "
-            "per_length (its edges and bars) or per_area (its faces)",
+            "per_length (its edges and bars) or per_area (its faces); if they never touch, exclude one of "
+            "them from contact, also with lines: 'contact: {{volumes: [...]}}' lists those with contact",
             a.name, b.name);
   }
 }

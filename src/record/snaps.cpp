@@ -74,7 +74,7 @@ void Snaps::update(double time, double h, std::span<const double> on_a, std::spa
         u = {.tension = peak, .time = time - h, .arc = node.arc, .step = b.step, .angle = angle};
     }
     b.previous = b.last;
-    b.step = h;
+    b.step = steps ? h : 0;
     if (tension > w.tension) {
       const double rise = steps ? std::max(tension - b.last, 0.0) : 0;
       w = {.tension = tension,

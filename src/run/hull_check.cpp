@@ -37,18 +37,26 @@ double top_of(const HullSurface& hull, const RigidBodyState& s) {
   return top;
 }
 
-// Volumes of other bodies may be in the seabed on purpose, such as piles and mattresses.
+// Volumes of other bodies may be in the seabed on purpose, such as piles and mattresses. Without a seabed the
+// depth of the water counts.
 void note_below_seabed(model::Case& c, const model::Volume& volume, const LoadedVolume& loaded) {
   constexpr double kDeep = 0.1;  // m
   const model::Seabed& bed = c.environment.seabed;
+  const model::Water& water = c.environment.water;
   const int body = volume.body.empty() ? -1 : c.body_index(volume.body);
-  if (!bed.present || body < 0 || !c.bodies[body].mass || !loaded.facets) return;
+  const bool has_depth = water.present && water.depth > 0;
+  if (!(bed.present || has_depth) || body < 0 || !c.bodies[body].mass || !loaded.facets) return;
   const model::Body& b = c.bodies[body];
   const Quat turn = exp_so3(b.rotation);
   double lowest = HUGE_VAL;
-  for (const Vec3& y : loaded.facets->vertices)
-    lowest = std::min(lowest, model::height_above_bed(bed, b.position + turn * y));
-  if (lowest < -kDeep) c.notes.push_back(advice::below_seabed(volume.name, b.name, -lowest));
+  for (const Vec3& y : loaded.facets->vertices) {
+    const Vec3 x = b.position + turn * y;
+    lowest =
+        std::min(lowest, bed.present ? model::height_above_bed(bed, x) : x.z() - water.surface + water.depth);
+  }
+  if (!(lowest < -kDeep)) return;
+  c.notes.push_back(bed.present ? advice::below_seabed(volume.name, b.name, -lowest)
+                                : advice::below_water(volume.name, b.name, -lowest, water.depth));
 }
 
 std::string held_by(const model::Case& c, const model::Body& b) {
@@ -74,23 +82,28 @@ struct PlatformAtRest {
   double rise = 0;     // m, from its initial position
 };
 
-// Rise [m] of a platform from its initial position. A floating body heels about its waterplane, a submerged
-// one about its centre, so it is the smaller one of the rises of the centre of mass and of the point that
-// starts at the still water above or below it.
-double rise_of(const RigidBodyState& start, const RigidBodyState& at, double surface) {
-  const double rise = at.x.z() - start.x.z();
-  const double height = surface - start.x.z();
-  const double of_surface = rise + (at.q * (start.q.conjugate() * Vec3(0, 0, height))).z() - height;
-  return std::abs(of_surface) < std::abs(rise) ? of_surface : rise;
+// Rise [m] of a platform from its initial position. A heel alone does not change the height of the centre of
+// the waterplane, or of the volume of a submerged body. The body's origin is above or below that centre, or
+// its centre of mass is, or it is the centre of mass itself; so it is the smallest rise of the three.
+double rise_of(const model::Body& b, const RigidBodyState& start, const RigidBodyState& at, double surface) {
+  double rise = at.x.z() - start.x.z();
+  const Mat3 turn = (at.q * start.q.conjugate()).toRotationMatrix();
+  for (Vec3 point : {start.x, b.position}) {
+    point.z() = surface;
+    const double of_surface = at.x.z() + (turn * (point - start.x)).z() - surface;
+    if (std::abs(of_surface) < std::abs(rise)) rise = of_surface;
+  }
+  return rise;
 }
 
 PlatformAtRest platform_at_rest(const model::Case& c, int body, const RigidBodyState& at) {
-  const RigidBodyState start = start_of(c.bodies[body]);
+  const model::Body& b = c.bodies[body];
+  const RigidBodyState start = start_of(b);
   // Upward vertical in body axes.
   const Vec3 up = at.q.conjugate() * Vec3::UnitZ();
   const Vec3 up_at_start = start.q.conjugate() * Vec3::UnitZ();
   return {body, angle_between(up, up_at_start), angle_between(up, Vec3::UnitZ()),
-          rise_of(start, at, c.environment.water.surface)};
+          rise_of(b, start, at, c.environment.water.surface)};
 }
 
 // Platforms of all ranks, once each, by body. Collective.

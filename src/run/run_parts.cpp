@@ -75,6 +75,10 @@ model::Case with_targets_met(MPI_Comm comm, model::Case c, const std::vector<Loa
   }
   progress.print_notes(model::notes_by_place(c, std::move(met.sentences)));
   met.model.output.file = c.output.file;  // may be set by the command line
+  // The case was read again; its hydrostatics (set_hydrostatics) do not depend on lengths of lines.
+  for (size_t b = 0; b < c.bodies.size(); ++b)
+    if (const model::Body& from = c.bodies[b]; from.mass && from.mass->hull)
+      met.model.bodies[b].mass->hull = from.mass->hull;
   return std::move(met.model);
 }
 

@@ -51,6 +51,7 @@ class Compression(unittest.TestCase):
         output = self.printed(STRUT)
         self.assertIn("it may buckle between supports that are more than 5.6 m apart, which elements of 1.4 m or less represent", output)
         self.assertNotIn("upper end", output)
+        self.assertNotIn("compression", self.printed(STRUT.replace("elements: 8", "elements: 10")))
 
 
 if __name__ == "__main__":

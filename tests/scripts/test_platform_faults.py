@@ -287,6 +287,23 @@ class Faults(unittest.TestCase):
         self.assertIn("files.3: its directions, up to ", text)
         self.assertIn(", are multiples of 5 deg in radians: give them in degrees", text)
 
+    def test_files_of_one_side(self):
+        """Waves from the side without rows: symmetry helps if the rows of the other side cover their mirror image."""
+        def up_to(last):
+            return lambda text: "".join(line + "\n" for line in text.splitlines() if float(line.split()[1]) <= last)
+
+        def in_waves_to(direction, last, keys=""):
+            water = f"{SPAR[1]}}}, waves: {{regular: {{height: 2, period: 12, direction_deg: {direction}}}, ramp: 10"
+            return self.check((SPAR[0], water, *SPAR[2:4], keys), up_to(last), ending=".3")
+
+        missing = "where 100 % of the sea's energy goes: add these directions to the files"
+        symmetry = ", or give 'symmetry: port_starboard' if the sides of the body are mirror images"
+        self.assertIn(missing + symmetry, in_waves_to(240, 180))
+        text = in_waves_to(150, 60)
+        self.assertIn(missing, text)
+        self.assertNotIn("symmetry", text)
+        self.assertNotIn(missing, in_waves_to(240, 180, ", symmetry: port_starboard"))
+
     def test_public_files(self):
         for name, of in SETS.items():
             with self.subTest(name=name):

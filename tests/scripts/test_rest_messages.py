@@ -35,6 +35,15 @@ bodies:
       loads: [{moment: [0, 2e6, 0]}]
 """
 
+BARGE = """\
+hawser: 1
+environment: {{water: {{density: 1025, depth: 50}}}}
+bodies:
+  barge: {{{place}floating: {{mass: {mass} t, centre_of_mass: [2, 0, 0.5], inertia: [4.0e6, 1.4e7, 1.5e7], hull: {{volumes: [box]}},
+          members: [{{from: [0, 0, 0], to: [1, 0, 0], diameter: 0.1, Cd: 0, Ca: 0}}]}}}}
+volumes: {{box: {{shape: {{box: {{centre: [0, 0, 0], size: [20, 10, 4]}}}}, body: barge}}}}
+dynamics: {{duration: 0.1}}
+"""
 
 # A crate of 98 kN on a floor with friction 0.5, and a rope to an anchor at the height of its end. Rope and crate pull apart by
 # less than the friction.
@@ -111,7 +120,8 @@ class RestMessagesTest(unittest.TestCase):
 
     def test_platform_at_rest(self):
         """The heel is asin(moment/(weight 2 m)) = 19.9 deg; a tenth of the moment heels it by 1.95 deg. The waterplane comes down by
-        0.486 m, the centre of mass, 2 m below it, by 2 m (1 - cos 19.9 deg) less."""
+        0.486 m, the centre of mass, 2 m below it, by 2 m (1 - cos 19.9 deg) less. A centre of mass 0.9 m beside the axis and 2 m below
+        the origin heels it by atan(0.45), about the origin."""
         for ending in ("1", "hst"):
             shutil.copy(ROOT / f"tests/data/hemisphere.{ending}", self.folder / f"float.{ending}")
         write(self.folder, "float.3", "5 0 3 1 0 1 0\n6 0 3 1 0 1 0\n")
@@ -122,6 +132,27 @@ class RestMessagesTest(unittest.TestCase):
             self.assertEqual(text.count(tilted), 1, text)
         for text in self.texts(FLOAT, "bodies.float.floating.mass=261800", "bodies.float.floating.loads[0].moment[1]=2e5"):
             self.assertNotIn("comes to rest", text)
+        for text in self.texts(FLOAT, "bodies.float.floating.mass=261800", "bodies.float.floating.loads[0].moment[1]=0",
+                               "bodies.float.floating.centre_of_mass=[0.9, 0, -2]"):
+            self.assertIn("warning: body float comes to rest 24.2 deg from upright", text)
+            self.assertNotIn("than its initial position", text)
+
+    def test_heel_alone(self):
+        """A barge of 400 m³ whose centre of mass is 2 m ahead of its middle heels about its origin, 7.5 deg, also if it starts turned or
+        heeled. 41 t more sink it by 41/1.025/200 m = 0.2 m along its axis."""
+        for place in ("", "position: [3, 4, 0], rotation_deg: [0, 0, 40], ", "rotation_deg: [0, 5, 0], "):
+            for text in self.texts(BARGE.format(place=place, mass=410)):
+                self.assertNotIn("comes to rest", text)
+            for text in self.texts(BARGE.format(place=place, mass=451)):
+                self.assertRegex(text, r"warning: body barge comes to rest 0\.(19\d|2) m lower than its initial position")
+
+    def test_hull_below_the_bottom(self):
+        below = "note: volumes.box: reaches 1 m below the bottom of the water, whose depth is 1 m, where body 'barge' starts"
+        case = BARGE.format(place="", mass=410)
+        for text in self.texts(case, "environment.water.depth=1"):
+            self.assertEqual(text.count(below), 1, text)
+        for text in self.texts(case):
+            self.assertNotIn("below the bottom", text)
 
     def test_body_moved_without_friction(self):
         """The rope hangs from the anchor and lies slack towards the crate, which slides until the rope pulls vertically: by metres."""

@@ -114,8 +114,10 @@ TEST(CaseFlow, BadTablesGetASentence) {
       wind("rows: [[0, -0.8, 0, 0], [60, -0.4, -0.7, 0], [120, 0.4, -0.6, 0], [180, 0.7, 0, 0]]"),
       "where the flow goes to 0 deg, ahead, Cx = -0.8 pushes the body against it: are the angles those "
       "'from' which it comes? Then give 'angles: from'");
-  expect_refused(wind("rows: [[0, 0.8, 0, 0], [120, -0.4, 0.6, 0], [180, -0.7, 0, 0]]"),
-                 "there is no row between 0 and 120 deg");
+  expect_refused(
+      wind("rows: [[0, 0.8, 0, 0], [120, -0.4, 0.6, 0], [180, -0.7, 0, 0]]"),
+      "there is no row between 0 and 120 deg: rows are at most 60 deg apart, all round or from 0 to "
+      "180 deg");
   expect_refused(wind("rows: [[0, 0.8, 0, 0], [60, 0.4, 0.7, 0], [120, -0.4, 0.6, 0], [170, -0.7, 0, 0]]"),
                  "there is no row between 170 and 360 deg");
   expect_refused(

@@ -80,6 +80,18 @@ TEST(Snaps, BetweenLaterSteps) {
 
 // A peak of 3 ms: its phase is 0.35 rad in a third of a millisecond and 1.05 rad in a millisecond, the times
 // that a transverse wave needs to pass an element over a volume.
+// A restart begins at the end of a step, whose tension at its start is not known.
+TEST(Snaps, NotAtARestart) {
+  const model::Case c = io::read_case_text(kSling, "/nowhere/case.yaml");
+  const run::Simulation sim(MPI_COMM_SELF, c);
+  Snaps snaps(c, sim.local());
+  for (int k = 0; k < 3; ++k) {
+    const std::vector<double> tension(3, 1000 - k);
+    snaps.update(1 + 0.1 * k, 0.1, tension, tension, nullptr);
+  }
+  EXPECT_EQ(snaps.warning(0, "sling", 1000, false, advice::StepChoice::given), "");
+}
+
 TEST(Snaps, OfAnElementOverAVolume) {
   EXPECT_EQ(warning(3e-3, 100, 0, false, 0.33e-3), "");
   EXPECT_NE(warning(3e-3, 100, 0, false, 1e-3)

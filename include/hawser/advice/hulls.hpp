@@ -46,5 +46,7 @@ std::string periods_on_lines(const std::string& body, const std::array<model::Pl
 std::string no_periods_on_lines(const std::string& body, const std::string& reason);
 // For a volume of a floating body whose lowest point is `depth` [m] below the seabed, which does not hold it.
 std::string below_seabed(const std::string& volume, const std::string& body, double depth);
+// The same by the depth of the water, in a case without a seabed. below: m.
+std::string below_water(const std::string& volume, const std::string& body, double below, double water_depth);
 
 }  // namespace hawser::advice
