@@ -179,11 +179,12 @@ Key body_hydrodynamics() {
             or_else_note("x and y of `position`, z of `origin_in_file`"), fixed_in_restart),
        number({"heading_deg", &H::heading}, angle, "heading of the body at `place`",
               or_else_note("heading of `rotation_deg`"), fixed_in_restart),
-       number({"follow_period", &H::follow_period}, time,
-              "period of the low-pass filter of the body's position and heading: waves act at the filtered "
-              "position, and the coefficients have the axes of the filtered heading; 0: always at `place` "
-              "and `heading_deg`",
-              at_least(0), or_else("100")),
+       number(
+           {"follow_period", &H::follow_period}, time,
+           "period of the low-pass filter of the body's position and heading: waves act at the filtered "
+           "position, and forces have the axes of the filtered heading, moments those of the actual one; 0: "
+           "position and heading are always `place` and `heading_deg`",
+           at_least(0), or_else("100")),
        word({"symmetry", &H::mirrored}, {{"none", false}, {"port_starboard", true}},
             "for files with directions of one side (0 to 180 deg): `port_starboard` takes the forces of "
             "waves from the other side by mirror symmetry, with sway, roll and yaw reversed",
