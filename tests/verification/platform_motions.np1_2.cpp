@@ -230,7 +230,7 @@ dynamics: {{duration: 0.5, step: 0.01, rho_infinity: 1}}
 
 // A ship 3 deg off the heading of its coefficients, in waves along that heading, whose files have no roll
 // force: the moment of pitch, with the stiffness and inertia of pitch, turns with the ship and does not
-// excite roll. In axes of the files roll is 0.4 of pitch.
+// excite roll. In axes of the files roll would be half of pitch.
 TEST(Platforms, PitchOfATurnedShipExcitesNoRoll) {
   const std::string stem = ship_files("hawser_platform_pitching/ship");
   const std::string text = fmt::format(
