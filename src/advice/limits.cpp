@@ -47,17 +47,11 @@ std::string utilisation_warning(const model::Case& c, const Extreme& at, const s
 std::string compression_warning(const model::Case& c, const Extreme& at) {
   if (!(at.value < 0)) return {};
   const model::Line& line = c.line(at.line);
-  double arc = 0;
-  const model::Section* section = &line.sections.back();
-  for (const model::Section& s : line.sections)
-    if (at.arc <= (arc += s.length)) {
-      section = &s;
-      break;
-    }
-  const model::LineType* type = &c.line_type(section->type);
-  if (type->kind != model::LineKind::beam) return {};
-  const double w = c.environment.gravity * std::abs(mass_in_water(c, *type, -HUGE_VAL));
-  const double EI = type->smallest_bending_stiffness();
+  const model::Section& section = model::section_at(line, at.arc);
+  const model::LineType& type = c.line_type(section.type);
+  if (type.kind != model::LineKind::beam) return {};
+  const double w = c.environment.gravity * std::abs(mass_in_water(c, type, -HUGE_VAL));
+  const double EI = type.smallest_bending_stiffness();
   const double strut = M_PI * M_PI * EI / std::pow(model::length_of(line), 2);
   const double limit = std::max(kPinnedFoot * std::cbrt(EI * w * w), strut);
   if (!(-at.value > limit)) return {};
@@ -70,7 +64,7 @@ std::string compression_warning(const model::Case& c, const Extreme& at) {
         finding, limit / 1000);
   const double supported = M_PI * std::sqrt(EI / -at.value);
   // Shorter elements represent the buckles.
-  if (section->length / section->elements <= kPerBuckle * supported) return {};
+  if (section.length / section.elements <= kPerBuckle * supported) return {};
   return fmt::format(
       "{}; it may buckle between supports that are more than {:.2g} m apart, which elements of {:.2g} m or "
       "less represent",

@@ -88,13 +88,6 @@ void check_size_and_times(const Case& c, const Issues& issue) {
       issue("volumes." + v.name + ".active.box", "the first corner must be below the second in x, y and z");
 }
 
-std::string section_at(const Line& line, double at) {
-  double end = 0;
-  for (const Section& s : line.sections)
-    if (at <= (end += s.length)) return s.type;
-  return line.sections.back().type;
-}
-
 void check_joints(const Case& c, const Issues& issue) {
   struct Ends {
     int all = 0, bending = 0;
@@ -137,7 +130,7 @@ void check_rides(const Case& c, const Issues& issue) {
             "('lines.<line>.masses')");
     if (!(b.ride->at >= 0 && b.ride->at <= length_of(line)))
       issue(key + ".on.at", "line {} ends at {:.6g} m of arc length", line.name, length_of(line));
-    else if (c.line_type(section_at(line, b.ride->at)).kind == LineKind::cable)
+    else if (c.line_type(section_at(line, b.ride->at).type).kind == LineKind::cable)
       issue(key + ".on.at",
             "line {} does not resist bending there, so the rotation of the body is not defined", line.name);
     for (const auto& [l, end] : line_ends_at(c, b))
@@ -230,6 +223,13 @@ void check_shape(const Case& c, const Volume& v, const Issues& issue) {
 }
 
 }  // namespace
+
+const Section& section_at(const Line& line, double arc) {
+  double end = 0;
+  for (const Section& s : line.sections)
+    if (arc <= (end += s.length)) return s;
+  return line.sections.back();
+}
 
 double length_of(const Line& line) {
   double length = 0;

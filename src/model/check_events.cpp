@@ -34,10 +34,7 @@ class EventCheck : private EventChecks {
   const Line& line(const std::string& name) const { return c_.line(name); }
   const End& end_of(const Action& a) const { return line(a.line).end(a.line_end); }
   const LineType& type_at(const std::string& name, double arc) const {
-    double end = 0;
-    for (const Section& s : line(name).sections)
-      if (arc <= (end += s.length)) return c_.line_type(s.type);
-    return c_.line_type(line(name).sections.back().type);
+    return c_.line_type(section_at(line(name), arc).type);
   }
   std::string end_name(const Action& a) const { return fmt::format("end {}", end_letter(a.line_end)); }
 

@@ -284,14 +284,7 @@ class LineCheck {
     return issue.count() == before;
   }
 
-  const LineType& type_at(double s) const {
-    double end = 0;
-    for (const Section& sec : line_.sections) {
-      end += sec.length;
-      if (s <= end) return c_.line_type(sec.type);
-    }
-    return c_.line_type(line_.sections.back().type);
-  }
+  const LineType& type_at(double arc) const { return c_.line_type(section_at(line_, arc).type); }
 
   void check_loads() {
     // Keys number the loads in file order, which `order` keeps.

@@ -82,9 +82,10 @@ struct PlatformAtRest {
   double rise = 0;     // m, from its initial position
 };
 
-// Rise [m] of a platform from its initial position. A heel alone does not change the height of the centre of
-// the waterplane, or of the volume of a submerged body. The body's origin is above or below that centre, or
-// its centre of mass is, or it is the centre of mass itself; so it is the smallest rise of the three.
+// Rise [m] of a platform from its initial position. A heel alone raises neither the centre of the waterplane
+// of a floating body nor the centre of mass of a submerged one. The centre of the waterplane is assumed on
+// the vertical through the centre of mass or through the body's origin; the smallest rise of the three
+// counts.
 double rise_of(const model::Body& b, const RigidBodyState& start, const RigidBodyState& at, double surface) {
   double rise = at.x.z() - start.x.z();
   const Mat3 turn = (at.q * start.q.conjugate()).toRotationMatrix();

@@ -186,10 +186,9 @@ void StaticSearch::tangent() {
 
 // With the moment m of a body in its axes and n = R^T e_z,
 //   d(n.m) = n.dm + (m x n).d phi,   d n = n x d phi.
-// n n.(m x n) d phi completes the rows of dm to this derivative of the moment about the vertical. The tangent
-// of a moment that never turns a body about the vertical, as that of its hydrostatics, has then no such
-// moment. Without it the solution would balance it by a large rotation about the vertical, against which such
-// bodies have no stiffness. In equilibrium m is zero.
+// dm alone gives the first part, n (m x n)' adds the second. Hydrostatics has no moment about the vertical,
+// n.m = 0, and the sum is zero; the first part alone is not. A body without stiffness in yaw would balance it
+// by a large rotation about the vertical. In equilibrium m and the addition are zero.
 void StaticSearch::add_slopes_of_vertical_moments() {
   const LocalMesh& mesh = system_.mesh();
   if (!mesh.mesh->has_frames()) return;

@@ -212,7 +212,7 @@ void PlatformWater::begin_memory(Group& g, const Kinematics& start) const {
 
 // Residual of each body: f_i = G_i^T F_i and hydrostatics, with the forces on all bodies of the group
 //   F = (A_inf + A_h) a + D(r) + memory - waves,
-// r, a: rates and accelerations of the bodies in the axes of their files; A_h of period_mass(), D of added
+// r, a: rates and accelerations of the bodies in axes H and J; A_h of period_mass(), D of added
 // and harmonic damping. With D_r = dF/dr the tangent by position, velocity and acceleration of body j is
 //   K_ij = G_i^T ((A_inf + A_h)_ij da_j/dq + D_r,ij dr_j/dq) + [i = j] d(G_i^T)/dq F_i,
 //   C_ij = G_i^T ((A_inf + A_h)_ij da_j/dq' + D_r,ij G_j),  M_ij = G_i^T (A_inf + A_h)_ij G_j.

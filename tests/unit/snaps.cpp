@@ -78,8 +78,6 @@ TEST(Snaps, BetweenLaterSteps) {
       "0.042 s");
 }
 
-// A peak of 3 ms: its phase is 0.35 rad in a third of a millisecond and 1.05 rad in a millisecond, the times
-// that a transverse wave needs to pass an element over a volume.
 // A restart begins at the end of a step, whose tension at its start is not known.
 TEST(Snaps, NotAtARestart) {
   const model::Case c = io::read_case_text(kSling, "/nowhere/case.yaml");
@@ -92,6 +90,8 @@ TEST(Snaps, NotAtARestart) {
   EXPECT_EQ(snaps.warning(0, "sling", 1000, false, advice::StepChoice::given), "");
 }
 
+// A peak of 3 ms: its phase is 0.35 rad in a third of a millisecond and 1.05 rad in a millisecond, the times
+// that a transverse wave needs to pass an element over a volume.
 TEST(Snaps, OfAnElementOverAVolume) {
   EXPECT_EQ(warning(3e-3, 100, 0, false, 0.33e-3), "");
   EXPECT_NE(warning(3e-3, 100, 0, false, 1e-3)

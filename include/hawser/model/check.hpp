@@ -61,6 +61,8 @@ Vec3 support_point(const Case& c, const SupportBox& box, const Vec3& x);
 
 // Unstretched length of a line [m].
 double length_of(const Line& line);
+// Section at this arc length [m] from end A; at a boundary the one nearer to A, beyond the end the last.
+const Section& section_at(const Line& line, double arc);
 // Elongation [m] by `temperature_change`.
 double expansion_of(const Case& c, const Line& line);
 // Largest contact diameter of the line's sections [m].
